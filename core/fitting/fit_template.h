@@ -1,0 +1,34 @@
+// Section 4.1 as a whole: fits one template to one shape.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/base/job_control.h"
+#include "core/fitting/fit_options.h"
+#include "core/model/part_template.h"
+#include "core/model/shape.h"
+#include "core/model/shape_fit.h"
+
+namespace archetype {
+
+// The state after each alternation, for inspection: entry 0 is the start (mean boxes, no labels).
+struct FitRecording {
+  std::vector<ShapeFit> steps;
+};
+
+// Alternates labelling, correspondences, rigid and deformation steps from each candidate yaw until the labels stop
+// changing, and returns the fit with the least energy. The template needs at least one part; the samples at least one
+// point. A cancelled fit returns nothing. `recording`, if given, receives the alternations of the winning yaw.
+// Deterministic; about 10 ms for 1,000 samples, 8 parts and 4 yaws.
+std::optional<ShapeFit> fit_template(const PartTemplate& part_template, const ShapeSamples& samples,
+                                     const FitOptions& options, const JobControl& control = {},
+                                     FitRecording* recording = nullptr);
+
+// The same from a fit that is near already (a box was moved a little): its yaw, translation and labels are the start,
+// no other yaw is tried. For live editing.
+std::optional<ShapeFit> refit_template(const PartTemplate& part_template, const ShapeSamples& samples,
+                                       const ShapeFit& start, const FitOptions& options,
+                                       const JobControl& control = {});
+
+}  // namespace archetype

@@ -1,0 +1,149 @@
+// The project file: one SQLite database (WAL) that holds everything a collection needs.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/hash.h"
+#include "core/model/part_template.h"
+#include "core/model/shape.h"
+#include "core/model/shape_fit.h"
+
+namespace archetype {
+
+using ShapeId = std::int64_t;
+using TemplateId = std::int64_t;
+
+// What is known of a shape without its samples or faces.
+struct ShapeRecord {
+  ShapeId id = 0;
+  std::string name;            // path under the imported folder without ending, "/" written as "__"; unique
+  std::filesystem::path path;  // absolute, where the file was read
+  ContentHash hash;
+  UpAxis up = UpAxis::y;
+  std::size_t vertex_count = 0;
+  std::size_t element_count = 0;  // faces, or points of a point set
+  bool point_set = false;
+  ShapeFrame frame;
+  double radius = 0;  // R, normalised units
+};
+
+struct RefusedInput {
+  std::filesystem::path path;
+  std::string reason;
+};
+
+enum class FitStatus { fitted, learned, outlier };
+
+// The best template of a shape and its fit.
+struct FitRecord {
+  ShapeId shape = 0;
+  TemplateId part_template = 0;
+  FitStatus status = FitStatus::fitted;
+  ShapeFit fit;
+};
+
+// The same without samples' labels and boxes, for tables of ten thousand rows.
+struct FitSummary {
+  ShapeId shape = 0;
+  TemplateId part_template = 0;
+  FitStatus status = FitStatus::fitted;
+  int yaw_quarters = 0;
+  FitEnergy energy;
+};
+
+struct TemplateRecord {
+  TemplateId id = 0;
+  PartTemplate part_template;
+  int iteration = 0;                 // of learning, 0 before
+  std::optional<TemplateId> parent;  // the template it was spawned or re-estimated from
+  bool current = true;               // part of the template set in use (others are history)
+};
+
+// An RGBA picture, 8 bits a channel, top row first.
+struct Thumbnail {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;
+};
+
+// One connection. Use one object per thread; several, also in several processes, may have the same file open.
+// Every writing function is one transaction unless a Transaction is open. All throw FileError for a full disk or a
+// broken file, with what was committed left intact.
+class Project {
+ public:
+  // A new, empty project; throws FileError if the path exists.
+  static Project create(const std::filesystem::path& path);
+  // Throws FileError if it is no project, or was written by a newer version; migrates older ones.
+  static Project open(const std::filesystem::path& path);
+  static Project open_or_create(const std::filesystem::path& path);
+  // Lives in memory only: the studio before anything is saved, and tests.
+  static Project in_memory();
+
+  Project(Project&&) noexcept;
+  Project& operator=(Project&&) noexcept;
+  ~Project();
+
+  const std::filesystem::path& path() const;
+
+  // Groups writes: all or nothing. Rolls back unless commit() was called.
+  class Transaction {
+   public:
+    explicit Transaction(Project& project);
+    Transaction(const Transaction&) = delete;
+    Transaction& operator=(const Transaction&) = delete;
+    ~Transaction();
+    void commit();
+
+   private:
+    Project* project_;
+    bool open_ = true;
+  };
+
+  // Shapes, ordered by name (bytewise), whatever the order of import.
+  std::size_t shape_count() const;
+  std::vector<ShapeRecord> shapes(std::size_t offset = 0, std::size_t limit = SIZE_MAX) const;
+  std::vector<ShapeId> shape_ids() const;
+  std::optional<ShapeRecord> find_shape(ShapeId id) const;
+  std::optional<ShapeRecord> find_shape(const std::string& name) const;
+  // record.id is ignored; a shape of the same name is replaced (its fit, labels and thumbnails go, its id stays).
+  ShapeId add_shape(const ShapeRecord& record, const ShapeSamples& samples);
+  void relocate_shape(ShapeId id, const std::filesystem::path& path);
+  ShapeSamples samples(ShapeId id) const;
+
+  void set_refused(const std::vector<RefusedInput>& refused);  // replaces entries of the same path
+  std::vector<RefusedInput> refused() const;
+
+  std::vector<TemplateRecord> templates(bool current_only = true) const;
+  std::optional<TemplateRecord> find_template(TemplateId id) const;
+  TemplateId add_template(const TemplateRecord& record);  // record.id is ignored
+  // Makes exactly these the current set, in this order.
+  void set_current_templates(const std::vector<TemplateId>& ids);
+
+  void store_fit(const FitRecord& record);  // replaces the shape's fit
+  std::optional<FitRecord> fit(ShapeId id) const;
+  std::vector<FitSummary> fits() const;  // ordered as shapes()
+  void clear_fits();
+
+  // The part index of every element of the file, as label_elements() gives them.
+  void store_labels(ShapeId id, const std::vector<std::int16_t>& labels);
+  std::optional<std::vector<std::int16_t>> labels(ShapeId id) const;
+
+  void store_thumbnail(ShapeId id, const std::string& kind, const Thumbnail& thumbnail);
+  std::optional<Thumbnail> thumbnail(ShapeId id, const std::string& kind) const;
+  void clear_thumbnails(const std::string& kind);
+
+  // Free-form settings and the state that a stopped run goes on from.
+  void set_setting(const std::string& key, const std::string& value);
+  std::optional<std::string> setting(const std::string& key) const;
+
+ private:
+  struct Connection;
+  explicit Project(std::unique_ptr<Connection> connection);
+  std::unique_ptr<Connection> connection_;
+};
+
+}  // namespace archetype
