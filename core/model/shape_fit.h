@@ -32,13 +32,13 @@ struct FittedPart {
 
 // The template stands in its own frame; the shape is turned into it: q = R_y(-yaw) * p - translation.
 struct ShapeFit {
-  int yaw_quarters = 0;             // 0..3: the shape stands turned by that many quarter turns about +y
-  Vec3 translation = Vec3::Zero();  // of the template on the turned shape, normalised units
-  std::vector<FittedPart> parts;    // one per template part
+  int yaw_quarters = 0;              // 0..3: the shape stands turned by that many quarter turns about +y
+  Vec3 translation = Vec3::Zero();   // of the template on the turned shape, normalised units
+  std::vector<FittedPart> parts;     // one per template part
   std::vector<std::int16_t> labels;  // one per sample: part index, or null_label
   FitEnergy energy;
   int alternations = 0;
-  bool converged = false;           // the labels stopped changing
+  bool converged = false;                // the labels stopped changing
   std::array<double, 4> yaw_energies{};  // total energy that each yaw ended with; infinite where not tried
 
   Vec3 to_template(const Vec3& p) const;
