@@ -19,6 +19,7 @@ struct FitOptions {
   double feature_clip = 9.0;  // squared deviation (in variances, mean over the features) that counts as 1
   double existence_weight = 0.05;  // weight of -log(existence) per part
   int graph_neighbours = 8;  // of each sample in the labelling graph
+  double face_smoothness = 0.01;  // weight of boundary lengths when faces are labelled, in roots of the area
   int template_points = 600;  // samples of the template's boxes for E_t->s
 
   std::array<bool, 4> yaws{true, true, true, true};  // candidate quarter turns about up to try
