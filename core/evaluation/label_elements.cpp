@@ -24,8 +24,8 @@ constexpr double smallest_angle = 0.05;
 constexpr double cost_scale = 1 << 26;
 constexpr double largest_cost = 15.0;
 
-// Cost of each part (and of null, last) at each element: distance and features as for samples. Features are those of
-// the nearest samples, by inverse distance.
+// Cost of each part (and of null, last) at each element: distance and features as for samples. Features are
+// those of the nearest samples, by inverse distance.
 class ElementCosts {
  public:
   ElementCosts(const ShapeSamples& samples, const PartTemplate& part_template, const ShapeFit& fit,
@@ -35,7 +35,8 @@ class ElementCosts {
         options_(options),
         tree_(samples.points),
         features_(feature_costs(with_expected_features(part_template),
-                                (fit.yaw_quarters & 1) != 0 ? samples.features_z : samples.features_x, options)),
+                                (fit.yaw_quarters & 1) != 0 ? samples.features_z : samples.features_x,
+                                options)),
         unit_(options.distance_unit * samples.radius) {
     for (const FittedPart& part : fit.parts) boxes_.emplace_back(part.box);
   }
@@ -73,8 +74,9 @@ class ElementCosts {
   std::vector<KdTree::Neighbour> near_;
 };
 
-std::vector<std::int16_t> cut(const PolygonMesh& mesh, const FaceAdjacency& adjacency, const ShapeSamples& samples,
-                              const PartTemplate& part_template, const ShapeFit& fit, const FitOptions& options) {
+std::vector<std::int16_t> cut(const PolygonMesh& mesh, const FaceAdjacency& adjacency,
+                              const ShapeSamples& samples, const PartTemplate& part_template,
+                              const ShapeFit& fit, const FitOptions& options) {
   const std::size_t faces = mesh.face_count();
   const std::size_t count = fit.parts.size() + 1;
   std::vector<double> areas(faces);
@@ -114,7 +116,8 @@ std::vector<std::int16_t> vote(const PolygonMesh& mesh, const ShapeSamples& samp
   const auto null = static_cast<std::int16_t>(fit.parts.size());
   std::vector<std::vector<std::uint32_t>> own(mesh.element_count());
   for (std::uint32_t i = 0; i < samples.size(); ++i) {
-    if (samples.faces[i] >= own.size()) throw PreconditionError("label_elements: the samples belong to another mesh");
+    if (samples.faces[i] >= own.size())
+      throw PreconditionError("label_elements: the samples belong to another mesh");
     own[samples.faces[i]].push_back(i);
   }
   const KdTree tree(samples.points);

@@ -47,8 +47,8 @@ void find_allowed(const LabellingGraph& graph, const LabelCosts& unary, std::siz
   }
 }
 
-// The move to label alpha: the sink's side takes it. The constant part of the energy is left out; the change of energy
-// is the cut's value less that of changing nothing, which is what `keep` sums up.
+// The move to label alpha: the sink's side takes it. The constant part of the energy is left out; the change
+// of energy is the cut's value less that of changing nothing, which is what `keep` sums up.
 bool expand(const LabellingGraph& graph, const LabelCosts& unary, std::size_t label_count,
             std::span<std::int16_t> labels, std::int16_t alpha, ExpansionWorkspace& work) {
   work.nodes.clear();
@@ -100,8 +100,7 @@ std::int64_t expand_labels(const LabellingGraph& graph, const LabelCosts& unary,
   // Done when every label in turn has found nothing to gain.
   std::size_t idle = 0;
   for (std::size_t k = 0; idle < label_count; k = (k + 1) % label_count) {
-    const bool moved =
-        expand(graph, unary, label_count, labels, static_cast<std::int16_t>(k), workspace);
+    const bool moved = expand(graph, unary, label_count, labels, static_cast<std::int16_t>(k), workspace);
     idle = moved ? 1 : idle + 1;
   }
   return labelling_energy(graph, unary, label_count, labels);

@@ -24,7 +24,8 @@ struct LabellingGraph {
   }
 };
 
-// A pair of nodes that shall rather have the same label; a != b, a pair may come more than once (weights add up).
+// A pair of nodes that shall rather have the same label; a != b, a pair may come more than once (weights add
+// up).
 struct GraphEdge {
   std::uint32_t a;
   std::uint32_t b;
@@ -44,7 +45,8 @@ struct ExpansionWorkspace {
 };
 
 struct ExpansionOptions {
-  // Drops labels that cannot be part of a minimum: U_i(k) > min U_i + sum_j w_ij. Exact; off only to measure its worth.
+  // Drops labels that cannot be part of a minimum: U_i(k) > min U_i + sum_j w_ij. Exact; off only to measure
+  // its worth.
   bool prune = true;
 };
 
@@ -52,8 +54,8 @@ struct ExpansionOptions {
 std::int64_t labelling_energy(const LabellingGraph& graph, const LabelCosts& unary, std::size_t label_count,
                               std::span<const std::int16_t> labels);
 
-// Improves `labels` (each in [0, label_count); a good start saves time) until no expansion move lowers the energy.
-// Returns the energy, which is never above that of the start and within a factor of 2 of the best.
+// Improves `labels` (each in [0, label_count); a good start saves time) until no expansion move lowers the
+// energy. Returns the energy, which is never above that of the start and within a factor of 2 of the best.
 std::int64_t expand_labels(const LabellingGraph& graph, const LabelCosts& unary, std::size_t label_count,
                            std::span<std::int16_t> labels, ExpansionWorkspace& workspace,
                            const ExpansionOptions& options = {});

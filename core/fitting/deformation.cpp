@@ -60,7 +60,8 @@ void deformation_step(const MatchedShape& shape, const PartTemplate& part_templa
   };
   for (std::size_t i = 0; i < shape.points.size(); ++i) {
     if (shape.labels[i] == null_label) continue;
-    add(static_cast<std::size_t>(shape.labels[i]), shape_weight, shape.matches->on_template[i], shape.points[i]);
+    add(static_cast<std::size_t>(shape.labels[i]), shape_weight, shape.matches->on_template[i],
+        shape.points[i]);
   }
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     for (auto t = shape.surface->begins[k]; t < shape.surface->begins[k + 1]; ++t) {

@@ -21,7 +21,8 @@ double deformation(const TemplatePart& part, const Box& box) {
 }  // namespace
 
 FitEnergy fit_energy(const MatchedShape& shape, const PartTemplate& part_template, std::span<const Box> boxes,
-                     std::span<const double> features, const LabellingGraph& graph, const FitOptions& options) {
+                     std::span<const double> features, const LabellingGraph& graph,
+                     const FitOptions& options) {
   const std::size_t parts = boxes.size();
   const double unit = shape.unit * shape.unit;
   const auto points = static_cast<double>(shape.points.size());
@@ -57,8 +58,8 @@ FitEnergy fit_energy(const MatchedShape& shape, const PartTemplate& part_templat
     }
     energy.deformation += options.alpha * deformation(part, boxes[k]);
     for (auto t = shape.surface->begins[k]; t < shape.surface->begins[k + 1]; ++t) {
-      to_shape +=
-          (boxes[k].to_world(shape.surface->local[t]) - shape.points[shape.matches->on_shape[t]]).squaredNorm();
+      to_shape += (boxes[k].to_world(shape.surface->local[t]) - shape.points[shape.matches->on_shape[t]])
+                      .squaredNorm();
     }
   }
   energy.template_to_shape = to_shape / (static_cast<double>(shape.surface->local.size()) * unit);

@@ -15,6 +15,7 @@ inline constexpr double missing_must_exist_energy = 1000.0;
 
 // features: as feature_costs() gives them.
 FitEnergy fit_energy(const MatchedShape& shape, const PartTemplate& part_template, std::span<const Box> boxes,
-                     std::span<const double> features, const LabellingGraph& graph, const FitOptions& options);
+                     std::span<const double> features, const LabellingGraph& graph,
+                     const FitOptions& options);
 
 }  // namespace archetype

@@ -28,8 +28,8 @@ class Fitter {
     if (samples.size() == 0) throw PreconditionError("a shape without samples cannot be fitted");
   }
 
-  // From the mean boxes, the shape turned by `yaw` and moved by `translation`; `labels` may be empty. Nothing if
-  // cancelled.
+  // From the mean boxes, the shape turned by `yaw` and moved by `translation`; `labels` may be empty. Nothing
+  // if cancelled.
   std::optional<ShapeFit> alternate(int yaw, const Vec3& translation, std::vector<std::int16_t> labels,
                                     const JobControl& control, FitRecording* recording);
 
@@ -52,12 +52,15 @@ class Fitter {
 std::span<const double> Fitter::features_of(int yaw) {
   const bool odd = (yaw & 1) != 0;
   std::vector<double>& costs = features_[odd ? 1 : 0];
-  if (costs.empty()) costs = feature_costs(template_, odd ? samples_.features_z : samples_.features_x, options_);
+  if (costs.empty())
+    costs = feature_costs(template_, odd ? samples_.features_z : samples_.features_x, options_);
   return costs;
 }
 
-// The first step. The expansion knows the null label as the last one; an empty `labels` starts from the cheapest.
-void Fitter::label(std::span<const Box> boxes, std::span<const double> features, std::vector<std::int16_t>& labels) {
+// The first step. The expansion knows the null label as the last one; an empty `labels` starts from the
+// cheapest.
+void Fitter::label(std::span<const Box> boxes, std::span<const double> features,
+                   std::vector<std::int16_t>& labels) {
   const std::size_t count = boxes.size() + 1;
   const auto null = static_cast<std::int16_t>(boxes.size());
   label_costs(points_, boxes, features, unit_, options_, costs_);
@@ -95,8 +98,9 @@ std::optional<ShapeFit> Fitter::alternate(int yaw, const Vec3& translation, std:
     match(points_, labels, boxes, surface_, matches);
     const MatchedShape shape{points_, labels, &surface_, &matches, unit_};
     const FitEnergy energy = fit_energy(shape, template_, boxes, features, graph_, options_);
-    // The labelling cannot see E_t->s (its matches are only defined once all points have labels), so an alternation as
-    // a whole may fail to gain. Then the one before was the best, and no later one differs from this.
+    // The labelling cannot see E_t->s (its matches are only defined once all points have labels), so an
+    // alternation as a whole may fail to gain. Then the one before was the best, and no later one differs
+    // from this.
     if (k > 1 && energy.total() >= best.energy.total()) {
       best.converged = true;
       break;
@@ -126,7 +130,8 @@ std::optional<ShapeFit> Fitter::alternate(int yaw, const Vec3& translation, std:
 }  // namespace
 
 std::optional<ShapeFit> fit_template(const PartTemplate& part_template, const ShapeSamples& samples,
-                                     const FitOptions& options, const JobControl& control, FitRecording* recording) {
+                                     const FitOptions& options, const JobControl& control,
+                                     FitRecording* recording) {
   Fitter fitter(part_template, samples, options);
   std::optional<ShapeFit> best;
   std::array<double, 4> energies;
@@ -147,7 +152,8 @@ std::optional<ShapeFit> fit_template(const PartTemplate& part_template, const Sh
 }
 
 std::optional<ShapeFit> refit_template(const PartTemplate& part_template, const ShapeSamples& samples,
-                                       const ShapeFit& start, const FitOptions& options, const JobControl& control) {
+                                       const ShapeFit& start, const FitOptions& options,
+                                       const JobControl& control) {
   Fitter fitter(part_template, samples, options);
   std::vector<std::int16_t> labels = start.labels;
   // Parts may have come or gone since: such labels start over.

@@ -43,8 +43,8 @@ std::vector<double> feature_costs(const PartTemplate& part_template, std::span<c
   return costs;
 }
 
-void label_costs(std::span<const Vec3> points, std::span<const Box> boxes, std::span<const double> features, double unit,
-                 const FitOptions& options, LabelCosts& costs) {
+void label_costs(std::span<const Vec3> points, std::span<const Box> boxes, std::span<const double> features,
+                 double unit, const FitOptions& options, LabelCosts& costs) {
   // Far from every box all labels are hopeless alike; the bound keeps sums of costs within an integer.
   constexpr double largest = 10000.0;
   const std::size_t parts = boxes.size();
@@ -54,7 +54,8 @@ void label_costs(std::span<const Vec3> points, std::span<const Box> boxes, std::
     const BoxDistance distance(boxes[k]);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double cost = scale * distance.squared(points[i]) + label_cost_scale * features[i * parts + k];
-      costs[i * (parts + 1) + k] = static_cast<std::int32_t>(std::min(cost, largest * label_cost_scale) + 0.5);
+      costs[i * (parts + 1) + k] =
+          static_cast<std::int32_t>(std::min(cost, largest * label_cost_scale) + 0.5);
     }
   }
   const auto null = static_cast<std::int32_t>(std::lround(options.null_cost * label_cost_scale));

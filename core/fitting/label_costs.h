@@ -1,4 +1,5 @@
-// The cost of each sample for each part: the unary terms of the labelling (section 4.1, "Optimization procedure").
+// The cost of each sample for each part: the unary terms of the labelling (section 4.1, "Optimization
+// procedure").
 #pragma once
 
 #include <span>
@@ -23,16 +24,17 @@ struct BoxDistance {
   bool turned;
 };
 
-// gamma E_feat of each sample for each part (samples x parts, row by row), before it is averaged over the samples.
-// Differs from the paper (equation 5): the squared deviations are averaged over the features and squared once, and
-// clipped at options.feature_clip, which costs as much as having no part; the print squares them twice and adds them up,
-// so that with six features even a perfect match would be dearer than the null label.
+// gamma E_feat of each sample for each part (samples x parts, row by row), before it is averaged over the
+// samples. Differs from the paper (equation 5): the squared deviations are averaged over the features and
+// squared once, and clipped at options.feature_clip, which costs as much as having no part; the print squares
+// them twice and adds them up, so that with six features even a perfect match would be dearer than the null
+// label.
 std::vector<double> feature_costs(const PartTemplate& part_template, std::span<const Features> features,
                                   const FitOptions& options);
 
 // E_dist^2 + gamma E_feat per sample and part with one more column for the null label, as integers.
 // unit: the length that counts as a distance of 1.
-void label_costs(std::span<const Vec3> points, std::span<const Box> boxes, std::span<const double> features, double unit,
-                 const FitOptions& options, LabelCosts& costs);
+void label_costs(std::span<const Vec3> points, std::span<const Box> boxes, std::span<const double> features,
+                 double unit, const FitOptions& options, LabelCosts& costs);
 
 }  // namespace archetype

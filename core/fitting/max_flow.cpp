@@ -1,5 +1,5 @@
-// Two search trees grow from the terminals; where they touch, a path is augmented, and nodes that lost their way to
-// the root look for a new parent.
+// Two search trees grow from the terminals; where they touch, a path is augmented, and nodes that lost their
+// way to the root look for a new parent.
 #include "core/fitting/max_flow.h"
 
 #include <algorithm>
@@ -72,8 +72,8 @@ MaxFlow::Capacity MaxFlow::solve() {
   return flow_;
 }
 
-// Takes free neighbours into the tree. Returns an arc from the source's tree to the sink's with capacity left, if the
-// node touches the other tree.
+// Takes free neighbours into the tree. Returns an arc from the source's tree to the sink's with capacity
+// left, if the node touches the other tree.
 std::uint32_t MaxFlow::grow(std::uint32_t index) {
   const Tree tree = nodes_[index].tree;
   for (std::uint32_t arc = nodes_[index].first_arc; arc != no_arc; arc = arcs_[arc].next) {
@@ -185,8 +185,8 @@ bool MaxFlow::find_parent(std::uint32_t index) {
   return true;
 }
 
-// Whether the way up from a node ends at a terminal and not at an orphan; marks the nodes on the way, so that the next
-// question in this round is short.
+// Whether the way up from a node ends at a terminal and not at an orphan; marks the nodes on the way, so that
+// the next question in this round is short.
 bool MaxFlow::reaches_root(std::uint32_t index, std::uint32_t& depth) {
   std::uint32_t steps = 0;
   std::uint32_t node = index;

@@ -6,9 +6,10 @@
 
 namespace archetype {
 
-// Maximum flow by augmenting paths between two search trees that are kept from one augmentation to the next (Boykov and
-// Kolmogorov 2004, "An Experimental Comparison of Min-Cut/Max-Flow Algorithms", section 3). Capacities are integers, so
-// cuts are exact and repeat. One object is reused for many graphs without allocating again.
+// Maximum flow by augmenting paths between two search trees that are kept from one augmentation to the next
+// (Boykov and Kolmogorov 2004, "An Experimental Comparison of Min-Cut/Max-Flow Algorithms", section 3).
+// Capacities are integers, so cuts are exact and repeat. One object is reused for many graphs without
+// allocating again.
 class MaxFlow {
  public:
   using Capacity = std::int64_t;
@@ -22,8 +23,8 @@ class MaxFlow {
 
   // The value of the minimum cut. May be called once per graph.
   Capacity solve();
-  // After solve(): whether the node lies on the sink's side of the minimum cut that is nearest to the sink. Nodes that
-  // either side may have count as the source's.
+  // After solve(): whether the node lies on the sink's side of the minimum cut that is nearest to the sink.
+  // Nodes that either side may have count as the source's.
   bool on_sink_side(std::uint32_t node) const { return nodes_[node].tree == Tree::sink; }
 
  private:
@@ -53,7 +54,8 @@ class MaxFlow {
   void adopt();
   bool find_parent(std::uint32_t node);
   bool reaches_root(std::uint32_t node, std::uint32_t& depth);
-  // The residual in the direction from the root of the tree to its leaves, over an arc that leaves a node of the tree.
+  // The residual in the direction from the root of the tree to its leaves, over an arc that leaves a node of
+  // the tree.
   Capacity outward(Tree tree, std::uint32_t arc) const {
     return tree == Tree::source ? arcs_[arc].residual : arcs_[arc ^ 1].residual;
   }

@@ -52,12 +52,14 @@ TemplateSurface sample_template(const PartTemplate& part_template, int count) {
 
 PartTemplate with_expected_features(const PartTemplate& part_template) {
   PartTemplate result = part_template;
-  if (std::all_of(result.parts.begin(), result.parts.end(), [](const auto& p) { return p.has_features; })) return result;
+  if (std::all_of(result.parts.begin(), result.parts.end(), [](const auto& p) { return p.has_features; }))
+    return result;
   const TemplateSurface surface = sample_template(part_template, 2000);
   std::vector<Vec3> points;
   for (std::size_t k = 0; k < result.parts.size(); ++k) {
     const Box box = result.parts[k].mean_box();
-    for (auto i = surface.begins[k]; i < surface.begins[k + 1]; ++i) points.push_back(box.to_world(surface.local[i]));
+    for (auto i = surface.begins[k]; i < surface.begins[k + 1]; ++i)
+      points.push_back(box.to_world(surface.local[i]));
   }
   Bounds extent;
   for (const Vec3& p : points) extent.add(p);
@@ -79,7 +81,8 @@ PartTemplate with_expected_features(const PartTemplate& part_template) {
     constexpr double smallest_stddev = 0.2;
     for (std::size_t f = 0; f < mean.size(); ++f) {
       part.features.mean[f] = mean[f];
-      part.features.stddev[f] = std::max(std::sqrt(std::max(square[f] - mean[f] * mean[f], 0.0)), smallest_stddev);
+      part.features.stddev[f] =
+          std::max(std::sqrt(std::max(square[f] - mean[f] * mean[f], 0.0)), smallest_stddev);
     }
     part.has_features = true;
   }

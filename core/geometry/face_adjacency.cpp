@@ -44,7 +44,9 @@ class DisjointSets {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  void join(std::uint32_t a, std::uint32_t b) { parent_[std::max(find(a), find(b))] = std::min(find(a), find(b)); }
+  void join(std::uint32_t a, std::uint32_t b) {
+    parent_[std::max(find(a), find(b))] = std::min(find(a), find(b));
+  }
 
  private:
   std::vector<std::uint32_t> parent_;
@@ -65,8 +67,9 @@ FaceAdjacency find_adjacent_faces(const PolygonMesh& mesh) {
       edges.push_back({std::min(a, b) << 32 | std::max(a, b), static_cast<std::uint32_t>(f), a < b});
     }
   }
-  std::sort(edges.begin(), edges.end(),
-            [](const Edge& x, const Edge& y) { return x.ends != y.ends ? x.ends < y.ends : x.face < y.face; });
+  std::sort(edges.begin(), edges.end(), [](const Edge& x, const Edge& y) {
+    return x.ends != y.ends ? x.ends < y.ends : x.face < y.face;
+  });
 
   std::vector<Vec3> normals(mesh.face_count());
   std::vector<Vec3> centres(mesh.face_count());
@@ -102,7 +105,8 @@ FaceAdjacency find_adjacent_faces(const PolygonMesh& mesh) {
     volume[components.find(f)] += normals[f].dot(centres[f] - origin);
   }
   FaceAdjacency result;
-  result.shared_share = distinct == 0 ? 0 : static_cast<double>(shared.size()) / static_cast<double>(distinct);
+  result.shared_share =
+      distinct == 0 ? 0 : static_cast<double>(shared.size()) / static_cast<double>(distinct);
   for (auto& [pair, alike] : shared) {
     const Vec3 a = normals[pair.a].normalized();
     const Vec3 b = normals[pair.b].normalized();
@@ -112,9 +116,8 @@ FaceAdjacency find_adjacent_faces(const PolygonMesh& mesh) {
     pair.convex = alike && outward * a.dot(centres[pair.b] - centres[pair.a]) <= 0;
     result.pairs.push_back(pair);
   }
-  std::sort(result.pairs.begin(), result.pairs.end(), [](const FacePair& x, const FacePair& y) {
-    return x.a != y.a ? x.a < y.a : x.b < y.b;
-  });
+  std::sort(result.pairs.begin(), result.pairs.end(),
+            [](const FacePair& x, const FacePair& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
   return result;
 }
 
