@@ -38,9 +38,9 @@ std::vector<std::uint32_t> eliminate_samples(std::span<const Vec3> points, std::
     std::vector<double> weights(n, 0.0);
     std::vector<KdTree::Neighbour> found;
     for (std::size_t i = 0; i < n; ++i) {
-      tree.nearest(points[i], max_neighbours, found);
+      tree.nearest(points[i], max_neighbours, found, reach);
       for (const auto& f : found) {
-        if (f.index == i || f.squared_distance >= reach * reach) continue;
+        if (f.index == i) continue;
         const double w = weight(f.squared_distance, reach);
         neighbours[i].push_back({f.index, w});
         weights[i] += w;

@@ -2,6 +2,7 @@
 #include "core/geometry/kd_tree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nanoflann.hpp>
 
 namespace archetype {
@@ -27,14 +28,14 @@ using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<do
 class BestK {
  public:
   using DistanceType = double;
-  BestK(std::size_t k, std::vector<KdTree::Neighbour>& best) : k_(k), best_(best) { best_.clear(); }
+  BestK(std::size_t k, double squared_reach, std::vector<KdTree::Neighbour>& best)
+      : k_(k), limit_(just_above(squared_reach)), best_(best) {
+    best_.clear();
+  }
   std::size_t size() const { return best_.size(); }
   bool full() const { return best_.size() == k_; }
-  // nanoflann skips what is not below this; just above the worst keeps equal distances in play.
-  double worstDist() const {  // NOLINT(readability-identifier-naming): nanoflann's name
-    return full() ? std::nextafter(best_.back().squared_distance, std::numeric_limits<double>::infinity())
-                  : std::numeric_limits<double>::infinity();
-  }
+  // nanoflann skips what is not below this.
+  double worstDist() const { return limit_; }  // NOLINT(readability-identifier-naming): nanoflann's name
   bool addPoint(double distance, std::uint32_t index) {  // NOLINT(readability-identifier-naming)
     const KdTree::Neighbour entry{index, distance};
     if (full()) {
@@ -42,15 +43,19 @@ class BestK {
       best_.pop_back();
     }
     best_.insert(std::upper_bound(best_.begin(), best_.end(), entry, before), entry);
+    if (full()) limit_ = just_above(best_.back().squared_distance);
     return true;
   }
 
  private:
+  // Equal distances stay in play, so that the index can decide.
+  static double just_above(double d) { return std::nextafter(d, std::numeric_limits<double>::infinity()); }
   static bool before(const KdTree::Neighbour& a, const KdTree::Neighbour& b) {
     return a.squared_distance < b.squared_distance ||
            (a.squared_distance == b.squared_distance && a.index < b.index);
   }
   std::size_t k_;
+  double limit_;
   std::vector<KdTree::Neighbour>& best_;
 };
 
@@ -96,8 +101,8 @@ KdTree::Neighbour KdTree::nearest(const Vec3& p) const {
   return best.front();
 }
 
-void KdTree::nearest(const Vec3& p, std::size_t k, std::vector<Neighbour>& result) const {
-  BestK best(k, result);
+void KdTree::nearest(const Vec3& p, std::size_t k, std::vector<Neighbour>& result, double reach) const {
+  BestK best(k, reach * reach, result);
   if (k > 0) index_->tree.findNeighbors(best, p.data(), nanoflann::SearchParams());
 }
 
