@@ -12,12 +12,14 @@
 namespace archetype {
 
 // The label of each element; -1 where the file gives none.
-// `.seg`: one integer per line. `_labels.txt`: a line with a name, a line with 1-based face numbers, repeated; names
-// are numbered in order of appearance. Throws InputError if the count or a number does not fit `element_count`.
+// `.seg`: one integer per line. `_labels.txt`: a line with a name, a line with 1-based face numbers,
+// repeated; names are numbered in order of appearance. Throws InputError if the count or a number does not
+// fit `element_count`.
 std::vector<int> read_labels(const std::filesystem::path& path, std::size_t element_count);
 
 // The label file of a shape in a folder: SHAPE.seg or SHAPE_labels.txt, or nothing.
-std::optional<std::filesystem::path> find_labels(const std::filesystem::path& folder, const std::string& shape_name);
+std::optional<std::filesystem::path> find_labels(const std::filesystem::path& folder,
+                                                 const std::string& shape_name);
 
 void write_labels(const std::filesystem::path& path, std::span<const int> labels);
 

@@ -19,9 +19,9 @@ struct ShapeFile {
 // Whether the ending is one of a format that read_shape knows (case does not matter).
 bool has_shape_ending(const std::filesystem::path& path);
 
-// Throws InputError (path, line or byte, what was expected) for content that cannot be read, FileError if the file
-// cannot be opened. Never takes more than a small multiple of the file's size in memory, never reads outside the
-// file's folder. Thread-safe; does not depend on the locale.
+// Throws InputError (path, line or byte, what was expected) for content that cannot be read, FileError if the
+// file cannot be opened. Never takes more than a small multiple of the file's size in memory, never reads
+// outside the file's folder. Thread-safe; does not depend on the locale.
 ShapeFile read_shape(const std::filesystem::path& path);
 
 }  // namespace archetype
