@@ -8,10 +8,10 @@
 
 namespace archetype {
 
-// Calls body(i) for every i in [0, n) on up to `threads` threads (0: as many as the machine has). Bodies write
-// to their own slot and nothing else, so the result does not depend on the number of threads. Stops handing out
-// work when `control` is cancelled; returns false then. The first exception of a body ends the loop and is
-// thrown on. Progress is reported as (bodies done, n, what).
+// Calls body(i) for every i in [0, n) on up to `threads` threads (0: as many as the machine has). Bodies
+// write to their own slot and nothing else, so the result does not depend on the number of threads. Stops
+// handing out work when `control` is cancelled; returns false then. The first exception of a body ends the
+// loop and is thrown on. Progress is reported as (bodies done, n, what).
 bool parallel_for(std::size_t n, unsigned threads, const JobControl& control, const char* what,
                   const std::function<void(std::size_t)>& body);
 

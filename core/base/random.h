@@ -1,5 +1,5 @@
-// Seeded random streams. There is no global generator: each shape, part and purpose derives its own stream from
-// the run's seed, so that neither order nor thread count can change a result.
+// Seeded random streams. There is no global generator: each shape, part and purpose derives its own stream
+// from the run's seed, so that neither order nor thread count can change a result.
 #pragma once
 
 #include <cstdint>

@@ -17,16 +17,16 @@ struct FitRecording {
   std::vector<ShapeFit> steps;
 };
 
-// Alternates labelling, correspondences, rigid and deformation steps from each candidate yaw until the labels stop
-// changing, and returns the fit with the least energy. The template needs at least one part; the samples at least one
-// point. A cancelled fit returns nothing. `recording`, if given, receives the alternations of the winning yaw.
-// Deterministic; about 10 ms for 1,000 samples, 8 parts and 4 yaws.
+// Alternates labelling, correspondences, rigid and deformation steps from each candidate yaw until the labels
+// stop changing, and returns the fit with the least energy. The template needs at least one part; the samples
+// at least one point. A cancelled fit returns nothing. `recording`, if given, receives the alternations of
+// the winning yaw. Deterministic; about 10 ms for 1,000 samples, 8 parts and 4 yaws.
 std::optional<ShapeFit> fit_template(const PartTemplate& part_template, const ShapeSamples& samples,
                                      const FitOptions& options, const JobControl& control = {},
                                      FitRecording* recording = nullptr);
 
-// The same from a fit that is near already (a box was moved a little): its yaw, translation and labels are the start,
-// no other yaw is tried. For live editing.
+// The same from a fit that is near already (a box was moved a little): its yaw, translation and labels are
+// the start, no other yaw is tried. For live editing.
 std::optional<ShapeFit> refit_template(const PartTemplate& part_template, const ShapeSamples& samples,
                                        const ShapeFit& start, const FitOptions& options,
                                        const JobControl& control = {});

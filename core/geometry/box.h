@@ -19,7 +19,8 @@ struct Box {
   Vec3 to_world(const Vec3& local) const { return centre + orientation * local.cwiseProduct(half_extent); }
 };
 
-// The closest point on the surface of the box, in box coordinates; for a point inside the closest face counts.
+// The closest point on the surface of the box, in box coordinates; for a point inside the closest face
+// counts.
 Vec3 closest_on_surface(const Box& box, const Vec3& p);
 
 }  // namespace archetype

@@ -71,8 +71,8 @@ struct Thumbnail {
 };
 
 // One connection. Use one object per thread; several, also in several processes, may have the same file open.
-// Every writing function is one transaction unless a Transaction is open. All throw FileError for a full disk or a
-// broken file, with what was committed left intact.
+// Every writing function is one transaction unless a Transaction is open. All throw FileError for a full disk
+// or a broken file, with what was committed left intact.
 class Project {
  public:
   // A new, empty project; throws FileError if the path exists.
@@ -109,7 +109,8 @@ class Project {
   std::vector<ShapeId> shape_ids() const;
   std::optional<ShapeRecord> find_shape(ShapeId id) const;
   std::optional<ShapeRecord> find_shape(const std::string& name) const;
-  // record.id is ignored; a shape of the same name is replaced (its fit, labels and thumbnails go, its id stays).
+  // record.id is ignored; a shape of the same name is replaced (its fit, labels and thumbnails go, its id
+  // stays).
   ShapeId add_shape(const ShapeRecord& record, const ShapeSamples& samples);
   void relocate_shape(ShapeId id, const std::filesystem::path& path);
   ShapeSamples samples(ShapeId id) const;

@@ -23,8 +23,8 @@ struct FeatureGaussian {
   friend bool operator==(const FeatureGaussian&, const FeatureGaussian&) = default;
 };
 
-// One part: a box whose centre and half extents are Gaussian (normalised shape units; the box's own axes for the
-// scale, the template's axes for the position) and whose surface has a Gaussian of local features.
+// One part: a box whose centre and half extents are Gaussian (normalised shape units; the box's own axes for
+// the scale, the template's axes for the position) and whose surface has a Gaussian of local features.
 struct TemplatePart {
   std::string name;
   int label = 0;  // what is written to label files; parts may share one
@@ -32,17 +32,17 @@ struct TemplatePart {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   Gaussian3 position;
   Gaussian3 scale{Vec3::Constant(0.2), Vec3::Constant(0.1)};  // half extents
-  bool has_features = false;   // false: `features` is not known yet and is not written to files
+  bool has_features = false;  // false: `features` is not known yet and is not written to files
   FeatureGaussian features;
-  double existence = 1.0;      // share of the shapes that have this part, in (0, 1]
-  std::string extra_json;      // keys of a file that this version does not know, kept and written back
+  double existence = 1.0;  // share of the shapes that have this part, in (0, 1]
+  std::string extra_json;  // keys of a file that this version does not know, kept and written back
 
   Box mean_box() const { return {position.mean, scale.mean, orientation}; }
   friend bool operator==(const TemplatePart& a, const TemplatePart& b) {
     return a.name == b.name && a.label == b.label && a.must_exist == b.must_exist &&
-           a.orientation.coeffs() == b.orientation.coeffs() && a.position == b.position && a.scale == b.scale &&
-           a.has_features == b.has_features && a.features == b.features && a.existence == b.existence &&
-           a.extra_json == b.extra_json;
+           a.orientation.coeffs() == b.orientation.coeffs() && a.position == b.position &&
+           a.scale == b.scale && a.has_features == b.has_features && a.features == b.features &&
+           a.existence == b.existence && a.extra_json == b.extra_json;
   }
 };
 

@@ -25,6 +25,9 @@ struct FitEnergy {
   friend bool operator==(const FitEnergy&, const FitEnergy&) = default;
 };
 
+// Turns by quarter turns about +y, exactly; one takes +z to +x.
+Vec3 turn_quarters(const Vec3& p, int quarters);
+
 struct FittedPart {
   bool present = false;
   Box box;  // in the template's frame; the mean box where the part is absent
@@ -32,13 +35,13 @@ struct FittedPart {
 
 // The template stands in its own frame; the shape is turned into it: q = R_y(-yaw) * p - translation.
 struct ShapeFit {
-  int yaw_quarters = 0;             // 0..3: the shape stands turned by that many quarter turns about +y
-  Vec3 translation = Vec3::Zero();  // of the template on the turned shape, normalised units
-  std::vector<FittedPart> parts;    // one per template part
+  int yaw_quarters = 0;              // 0..3: the shape stands turned by that many quarter turns about +y
+  Vec3 translation = Vec3::Zero();   // of the template on the turned shape, normalised units
+  std::vector<FittedPart> parts;     // one per template part
   std::vector<std::int16_t> labels;  // one per sample: part index, or null_label
   FitEnergy energy;
   int alternations = 0;
-  bool converged = false;           // the labels stopped changing
+  bool converged = false;                // the labels stopped changing
   std::array<double, 4> yaw_energies{};  // total energy that each yaw ended with; infinite where not tried
 
   Vec3 to_template(const Vec3& p) const;

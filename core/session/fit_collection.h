@@ -9,13 +9,13 @@ namespace archetype {
 
 struct FitCollectionReport {
   std::size_t fitted = 0;
-  std::size_t kept = 0;  // had a fit by the same templates and options already
+  std::size_t kept = 0;               // had a fit by the same templates and options already
   std::vector<RefusedInput> refused;  // shapes whose file is gone or changed, or whose fit failed
   bool cancelled = false;
 };
 
-// Each shape takes the template with the least energy. Fits and labels are stored as they are made, in batches, so a
-// stopped run goes on from there. `templates` become the current set of the project.
+// Each shape takes the template with the least energy. Fits and labels are stored as they are made, in
+// batches, so a stopped run goes on from there. `templates` become the current set of the project.
 FitCollectionReport fit_collection(Project& project, const std::vector<PartTemplate>& templates,
                                    const FitOptions& options, unsigned threads, const JobControl& control);
 

@@ -28,7 +28,9 @@ TEST_CASE("a cancelled loop stops and says so") {
 }
 
 TEST_CASE("an exception of a body is thrown on") {
-  CHECK_THROWS_AS(
-      parallel_for(100, 2, {}, "throwing", [](std::size_t i) { if (i == 50) throw std::runtime_error("x"); }),
-      std::runtime_error);
+  CHECK_THROWS_AS(parallel_for(100, 2, {}, "throwing",
+                               [](std::size_t i) {
+                                 if (i == 50) throw std::runtime_error("x");
+                               }),
+                  std::runtime_error);
 }
