@@ -1,0 +1,165 @@
+#include "core/session/jobs.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace archetype {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::size_t ended_kept = 20;
+
+double seconds_between(Clock::time_point a, Clock::time_point b) {
+  return std::chrono::duration<double>(b - a).count();
+}
+
+}  // namespace
+
+std::optional<double> estimate_seconds_left(double seconds, std::size_t done, std::size_t total) {
+  if (seconds < 1.0 || done == 0 || total == 0) return std::nullopt;
+  const std::size_t rest = total > done ? total - done : 0;
+  return seconds * static_cast<double>(rest) / static_cast<double>(done);
+}
+
+struct Jobs::Running {
+  JobId id = 0;
+  std::string title;
+  Clock::time_point start = Clock::now();
+  std::stop_source stop;
+
+  std::mutex mutex;  // guards the four below
+  std::string doing;
+  std::size_t done = 0;
+  std::size_t total = 0;
+  Clock::time_point last_wake{};
+
+  std::atomic<bool> ended = false;
+  Apply apply;  // the four are written before `ended` is set, read after
+  std::string error;
+  bool failed = false;
+  Clock::time_point end{};
+
+  std::jthread thread;  // last: it is joined before the rest goes
+
+  JobView view() {
+    JobView view;
+    view.id = id;
+    view.title = title;
+    {
+      const std::lock_guard lock(mutex);
+      view.doing = doing;
+      view.done = done;
+      view.total = total;
+    }
+    const bool over = ended;
+    view.seconds = seconds_between(start, over ? end : Clock::now());
+    view.seconds_left = estimate_seconds_left(view.seconds, view.done, view.total);
+    view.error = over ? error : "";
+    const bool stopping = stop.stop_requested();
+    if (!over)
+      view.state = stopping ? JobState::stopping : JobState::running;
+    else
+      view.state = failed ? JobState::failed : stopping ? JobState::cancelled : JobState::done;
+    return view;
+  }
+
+  // Ten times a second are enough for a progress bar, and cost nothing.
+  void report(std::size_t now_done, std::size_t now_total, std::string_view what,
+              const std::function<void()>& wake) {
+    bool tell = false;
+    {
+      const std::lock_guard lock(mutex);
+      // Threads report out of order; within one step the count only rises.
+      const bool same_step = what == doing && now_total == total;
+      done = same_step ? std::max(done, now_done) : now_done;
+      doing = what;
+      total = now_total;
+      const Clock::time_point now = Clock::now();
+      if (seconds_between(last_wake, now) > 0.1) {
+        last_wake = now;
+        tell = true;
+      }
+    }
+    if (tell && wake) wake();
+  }
+};
+
+Jobs::Jobs(std::function<void()> wake) : wake_(std::move(wake)) {}
+
+Jobs::~Jobs() {
+  cancel_all();
+}
+
+JobId Jobs::start(std::string title, Work work) {
+  auto job = std::make_unique<Running>();
+  Running* running = job.get();
+  running->id = next_id_++;
+  running->title = std::move(title);
+  running->thread = std::jthread([running, work = std::move(work), wake = wake_] {
+    JobControl control;
+    control.stop = running->stop.get_token();
+    control.report = [running, &wake](std::size_t done, std::size_t total, std::string_view what) {
+      running->report(done, total, what, wake);
+    };
+    try {
+      running->apply = work(control);
+    } catch (const std::exception& error) {
+      running->error = error.what();
+      running->failed = true;
+    }
+    running->end = Clock::now();
+    running->ended = true;
+    if (wake) wake();
+  });
+  running_.push_back(std::move(job));
+  return running->id;
+}
+
+void Jobs::cancel(JobId id) {
+  for (const auto& job : running_)
+    if (job->id == id) job->stop.request_stop();
+}
+
+void Jobs::cancel_all() {
+  for (const auto& job : running_) job->stop.request_stop();
+}
+
+std::vector<JobView> Jobs::poll() {
+  // Taken out first: what is applied may start new jobs.
+  std::vector<std::unique_ptr<Running>> over;
+  for (auto& job : running_)
+    if (job->ended) over.push_back(std::move(job));
+  std::erase(running_, nullptr);
+
+  std::vector<JobView> views;
+  for (const auto& job : over) {
+    job->thread.join();
+    JobView view = job->view();
+    view.seconds_left.reset();
+    if (job->apply) {
+      try {
+        job->apply();
+      } catch (const std::exception& error) {
+        view.state = JobState::failed;
+        view.error = error.what();
+      }
+    }
+    ended_.insert(ended_.begin(), view);
+    views.push_back(std::move(view));
+  }
+  if (ended_.size() > ended_kept) ended_.resize(ended_kept);
+  return views;
+}
+
+std::vector<JobView> Jobs::view() const {
+  std::vector<JobView> views;
+  for (const auto& job : running_) views.push_back(job->view());
+  views.insert(views.end(), ended_.begin(), ended_.end());
+  return views;
+}
+
+}  // namespace archetype
