@@ -35,7 +35,7 @@ ContentHash fit_state(const std::vector<PartTemplate>& templates, const FitOptio
   std::string text = "archetype " ARCHETYPE_VERSION "\n";
   for (const auto& [name, value] : named_options(options)) {
     std::array<char, 32> digits{};
-    const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
     text += name + "=" + std::string(digits.data(), end) + "\n";
   }
   for (const PartTemplate& part_template : templates) text += format_template(part_template);
