@@ -1,7 +1,5 @@
 #include <doctest/doctest.h>
 
-#include <unistd.h>
-
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -12,24 +10,13 @@
 
 #include "core/base/error.h"
 #include "core/generate/generate.h"
+#include "core/io/read_shape.h"
+#include "tests/support/scratch_folder.h"
 
 using namespace archetype;
 namespace fs = std::filesystem;
 
 namespace {
-
-// A folder of its own that goes when the test does.
-struct TemporaryFolder {
-  fs::path path;
-  TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "archetype-XXXXXX").string();
-    path = mkdtemp(pattern.data());
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-};
 
 std::string content(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -56,18 +43,18 @@ std::vector<std::string> split(const std::string& text, char separator) {
 }  // namespace
 
 TEST_CASE("a collection has a shape, labels and landmarks for every name, the same for any thread count") {
-  TemporaryFolder folder;
+  const test::ScratchFolder folder;
   GenerateOptions options;
   options.count = 24;
   options.noise = 0.001;
   options.faults = {0.1, 0.1, 0.1, 0.1, 0.1};
   options.yaw = YawChoice::quarters;
   options.threads = 1;
-  CHECK(write_collection("lamps", options, folder.path / "one", {}).written == 24);
+  CHECK(write_collection("lamps", options, folder.path() / "one", {}).written == 24);
   options.threads = 4;
-  CHECK(write_collection("lamps", options, folder.path / "four", {}).written == 24);
-  const auto files = all_files(folder.path / "one");
-  CHECK(files == all_files(folder.path / "four"));
+  CHECK(write_collection("lamps", options, folder.path() / "four", {}).written == 24);
+  const auto files = all_files(folder.path() / "one");
+  CHECK(files == all_files(folder.path() / "four"));
   CHECK(files.size() == 3 * 24 + 4);
   CHECK(files.at("labels/names.txt") == "0 shade\n1 tube\n2 base\n");
   const auto rows = split(files.at("styles.csv"), '\n');
@@ -87,13 +74,13 @@ TEST_CASE("a collection has a shape, labels and landmarks for every name, the sa
 }
 
 TEST_CASE("the parameters in styles.csv follow the distributions that generator.json states") {
-  TemporaryFolder folder;
+  const test::ScratchFolder folder;
   for (const std::string& family : families()) {
     GenerateOptions options;
     options.count = 1500;
-    write_collection(family, options, folder.path / family, {});
-    const auto stated = nlohmann::json::parse(content(folder.path / family / "generator.json"));
-    const auto rows = split(content(folder.path / family / "styles.csv"), '\n');
+    write_collection(family, options, folder.path() / family, {});
+    const auto stated = nlohmann::json::parse(content(folder.path() / family / "generator.json"));
+    const auto rows = split(content(folder.path() / family / "styles.csv"), '\n');
     const auto columns = split(rows[0], ',');
     double weights = 0;
     for (const auto& style : stated["styles"]) weights += style["weight"].get<double>();
@@ -148,18 +135,18 @@ TEST_CASE("the parameters in styles.csv follow the distributions that generator.
 }
 
 TEST_CASE("a thousand chairs take seconds") {
-  TemporaryFolder folder;
+  const test::ScratchFolder folder;
   GenerateOptions options;
   options.count = 1000;
   const auto start = std::chrono::steady_clock::now();
-  CHECK(write_collection("chairs", options, folder.path, {}).written == 1000);
+  CHECK(write_collection("chairs", options, folder.path(), {}).written == 1000);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   MESSAGE("1,000 chairs: ", seconds.count(), " s");
   CHECK(seconds.count() < 60);  // sanitizers and a busy machine included
 }
 
 TEST_CASE("a cancelled call goes on from what it left") {
-  TemporaryFolder folder;
+  const test::ScratchFolder folder;
   GenerateOptions options;
   options.count = 200;
   options.threads = 1;
@@ -170,52 +157,80 @@ TEST_CASE("a cancelled call goes on from what it left") {
     CHECK(total == 200);
     if (done == 5) source.request_stop();
   };
-  const GenerateReport report = write_collection("tables", options, folder.path / "tables", control);
+  const GenerateReport report = write_collection("tables", options, folder.path() / "tables", control);
   CHECK(report.cancelled);
   CHECK(report.written == 5);
-  CHECK_FALSE(fs::exists(folder.path / "tables" / "styles.csv"));
-  CHECK(write_collection("tables", options, folder.path / "tables", {}).written == 200);
-  CHECK(fs::exists(folder.path / "tables" / "styles.csv"));
+  CHECK_FALSE(fs::exists(folder.path() / "tables" / "styles.csv"));
+  CHECK(write_collection("tables", options, folder.path() / "tables", {}).written == 200);
+  CHECK(fs::exists(folder.path() / "tables" / "styles.csv"));
 }
 
 TEST_CASE("other files are never mixed with a collection") {
-  TemporaryFolder folder;
+  const test::ScratchFolder folder;
   GenerateOptions options;
   options.count = 2;
-  write_collection("chairs", options, folder.path / "chairs", {});
+  write_collection("chairs", options, folder.path() / "chairs", {});
   options.seed = 2;
-  CHECK_THROWS_AS(write_collection("chairs", options, folder.path / "chairs", {}), FileError);
-  CHECK_THROWS_AS(write_collection("lamps", options, folder.path / "chairs", {}), FileError);
-  std::ofstream(folder.path / "file") << "x";
-  CHECK_THROWS_AS(write_collection("lamps", options, folder.path, {}), FileError);
-  CHECK_THROWS_AS(write_collection("lamps", options, folder.path / "file", {}), FileError);
-  CHECK_THROWS_AS(write_collection("lamps", options, folder.path / "file" / "below", {}), FileError);
-  CHECK(content(folder.path / "file") == "x");
+  CHECK_THROWS_AS(write_collection("chairs", options, folder.path() / "chairs", {}), FileError);
+  CHECK_THROWS_AS(write_collection("lamps", options, folder.path() / "chairs", {}), FileError);
+  std::ofstream(folder.path() / "file") << "x";
+  CHECK_THROWS_AS(write_collection("lamps", options, folder.path(), {}), FileError);
+  CHECK_THROWS_AS(write_collection("lamps", options, folder.path() / "file", {}), FileError);
+  CHECK_THROWS_AS(write_collection("lamps", options, folder.path() / "file" / "below", {}), FileError);
+  CHECK(content(folder.path() / "file") == "x");
 }
 
 TEST_CASE("a full disk is an error") {
   if (!fs::exists("/dev/full")) return;
-  TemporaryFolder folder;
+  const test::ScratchFolder folder;
   GenerateOptions options;
   options.count = 1;
-  write_collection("chairs", options, folder.path, {});
-  const fs::path shape = folder.path / "shapes" / (generate_shape("chairs", options, 0).name + ".off");
+  write_collection("chairs", options, folder.path(), {});
+  const fs::path shape = folder.path() / "shapes" / (generate_shape("chairs", options, 0).name + ".off");
   fs::remove(shape);
   fs::create_symlink("/dev/full", shape);
-  CHECK_THROWS_AS(write_collection("chairs", options, folder.path, {}), FileError);
+  CHECK_THROWS_AS(write_collection("chairs", options, folder.path(), {}), FileError);
+}
+
+TEST_CASE("what was written reads back: every face, label and landmark, also of faulty shapes") {
+  for (const ShapeEnding ending : {ShapeEnding::off, ShapeEnding::obj}) {
+    const test::ScratchFolder folder;
+    GenerateOptions options;
+    options.count = 3;
+    options.ending = ending;
+    options.faults = {0.1, 0.1, 0.1, 0.1, 0.1};
+    options.offset = 1;
+    write_collection("planes", options, folder.path(), {});
+    for (std::size_t i = 0; i < options.count; ++i) {
+      const GeneratedShape shape = generate_shape("planes", options, i);
+      const char* const suffix = ending == ShapeEnding::off ? ".off" : ".obj";
+      const PolygonMesh mesh = read_shape(folder.path() / "shapes" / (shape.name + suffix)).mesh;
+      REQUIRE(mesh.face_corners == shape.mesh.face_corners);
+      REQUIRE(mesh.face_begins == shape.mesh.face_begins);
+      const double size = bounds(shape.mesh).high.norm() + bounds(shape.mesh).low.norm();
+      for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        REQUIRE((mesh.vertices[v] - shape.mesh.vertices[v]).norm() < 1e-7 * size);
+      }
+      CHECK(read_labels(folder.path() / "labels" / (shape.name + ".seg"), mesh.face_count()) == shape.labels);
+      const auto landmarks = read_landmarks(folder.path() / "landmarks" / (shape.name + ".vts"));
+      REQUIRE(landmarks.size() == shape.landmarks.size());
+      for (std::size_t k = 0; k < landmarks.size(); ++k)
+        CHECK(landmarks[k].present == shape.landmarks[k].present);
+    }
+  }
 }
 
 TEST_CASE("OBJ files name the part of every face") {
-  TemporaryFolder folder;
+  const test::ScratchFolder folder;
   GenerateOptions options;
   options.count = 1;
   options.ending = ShapeEnding::obj;
-  write_collection("chairs", options, folder.path, {});
+  write_collection("chairs", options, folder.path(), {});
   const GeneratedShape shape = generate_shape("chairs", options, 0);
   const FamilyNames names = family_names("chairs");
   std::string group;
   std::size_t face = 0;
-  for (const std::string& line : split(content(folder.path / "shapes" / (shape.name + ".obj")), '\n')) {
+  for (const std::string& line : split(content(folder.path() / "shapes" / (shape.name + ".obj")), '\n')) {
     if (line.rfind("g ", 0) == 0) group = line.substr(2);
     if (line.rfind("f ", 0) == 0) {
       CHECK(group == names.labels[static_cast<std::size_t>(shape.labels[face])]);
