@@ -22,6 +22,7 @@ struct ViewOptions {
   bool ground = true;
   bool orthographic = false;
   SurfaceColour colour = SurfaceColour::part;
+  friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
 };
 
 enum class CameraView { front, back, left, right, top, bottom, home };
@@ -33,6 +34,7 @@ struct UiState {
   std::optional<std::size_t> part;  // the selected part of the active template
   ViewOptions view;
   BoxTool tool = BoxTool::move;
+  std::optional<int> drag_axis;  // of the box, 0 to 2: the drag under way keeps to it (X, Y, Z)
   Navigation navigation = Navigation::archetype;
   // Wishes of commands to the viewport, which clears them once it has followed.
   std::optional<CameraView> wanted_view;

@@ -86,13 +86,14 @@ void add_fuselage(Assembly& assembly, double length, double exponent, int sides,
   add_loft(assembly, body, rings);
 }
 
-// Even in the middle, dense towards both ends, where the body curves.
+// Denser towards both ends, where the body curves.
 std::vector<double> fuselage_stations(int count) {
   std::vector<double> stations;
   for (int i = 0; i < count; ++i) {
     const double t = static_cast<double>(i) / (count - 1);
-    stations.push_back(0.5 * t + 0.25 * (1 - std::cos(pi * t)));
+    stations.push_back(0.2 * t + 0.4 * (1 - std::cos(pi * t)));
   }
+  stations.insert(stations.end() - 1, 0.25 * *(stations.end() - 2) + 0.75);
   return stations;
 }
 
@@ -181,7 +182,7 @@ Assembly build_airliner(const ParameterValues& p) {
       const Station hang = station(pairs == 1 ? 0.34 : 0.31 + 0.3 * i);
       front = hang.middle + Vec3(0, -1.35 * engine_radius, 0.5 * hang.chord + 0.52 * engine_length);
       const Vec3 from = front + Vec3(0, 0.85 * engine_radius, -0.35 * engine_length);
-      const Vec3 to = hang.middle + Vec3(0, 0, 0.1 * hang.chord);
+      const Vec3 to = hang.middle + Vec3(0, -0.3 * engine_radius, 0.1 * hang.chord);
       const double slope = (to.y() - from.y()) / (from.z() - to.z());
       add_block(assembly, engine, Vec3(0.09 * engine_radius, 0.26 * engine_radius, 0.5 * (from.z() - to.z())),
                 0.05 * engine_radius, {1, 1, 3},
@@ -243,7 +244,7 @@ Assembly build_fighter(const ParameterValues& p) {
   for (int i = 0; i <= 10; ++i) {
     const double t = i / 10.0;
     const double s = std::max(0.05, std::pow(std::sin(pi * std::pow(t, 1.25)), 0.7));
-    bubble.push_back(place(ellipse(0.42 * r * s, 0.62 * r * s, 14),
+    bubble.push_back(place(ellipse(0.44 * r * s, 0.82 * r * s, 14),
                            Vec3(0, 0.52 * r - 0.12 * r * t, length * 0.15 + canopy * (2.2 * t - 1)),
                            Vec3::UnitX(), Vec3::UnitY()));
   }
