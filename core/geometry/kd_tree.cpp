@@ -24,6 +24,11 @@ struct Adaptor {
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Adaptor>, Adaptor, 3,
                                                  std::uint32_t>;
 
+// nanoflann skips what is not below its bound: just above it equal distances stay in play.
+double just_above(double d) {
+  return std::nextafter(d, std::numeric_limits<double>::infinity());
+}
+
 // Keeps the k best with ties broken by index; nanoflann's own result sets break them by the order of visits.
 class BestK {
  public:
@@ -34,7 +39,6 @@ class BestK {
   }
   std::size_t size() const { return best_.size(); }
   bool full() const { return best_.size() == k_; }
-  // nanoflann skips what is not below this.
   double worstDist() const { return limit_; }  // NOLINT(readability-identifier-naming): nanoflann's name
   bool addPoint(double distance, std::uint32_t index) {  // NOLINT(readability-identifier-naming)
     const KdTree::Neighbour entry{index, distance};
@@ -48,8 +52,6 @@ class BestK {
   }
 
  private:
-  // Equal distances stay in play, so that the index can decide.
-  static double just_above(double d) { return std::nextafter(d, std::numeric_limits<double>::infinity()); }
   static bool before(const KdTree::Neighbour& a, const KdTree::Neighbour& b) {
     return a.squared_distance < b.squared_distance ||
            (a.squared_distance == b.squared_distance && a.index < b.index);
@@ -62,12 +64,13 @@ class BestK {
 class Within {
  public:
   using DistanceType = double;
-  Within(double squared, std::vector<KdTree::Neighbour>& found) : squared_(squared), found_(found) {
+  Within(double squared, std::vector<KdTree::Neighbour>& found)
+      : squared_(squared), limit_(just_above(squared)), found_(found) {
     found_.clear();
   }
   std::size_t size() const { return found_.size(); }
   bool full() const { return true; }
-  double worstDist() const { return squared_; }          // NOLINT(readability-identifier-naming)
+  double worstDist() const { return limit_; }            // NOLINT(readability-identifier-naming)
   bool addPoint(double distance, std::uint32_t index) {  // NOLINT(readability-identifier-naming)
     if (distance <= squared_) found_.push_back({index, distance});
     return true;
@@ -75,6 +78,7 @@ class Within {
 
  private:
   double squared_;
+  double limit_;
   std::vector<KdTree::Neighbour>& found_;
 };
 

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <numeric>
+#include <Eigen/LU>
 
 #include "core/base/error.h"
 #include "core/generate/generate.h"
