@@ -21,6 +21,7 @@ class Fitter {
       : template_(with_expected_features(part_template)),
         samples_(samples),
         options_(options),
+        tree_(samples.points),
         surface_(sample_template(template_, options.template_points)),
         graph_(make_point_graph(samples, options)),
         unit_(options.distance_unit * samples.radius) {
@@ -40,6 +41,7 @@ class Fitter {
   PartTemplate template_;
   const ShapeSamples& samples_;
   const FitOptions& options_;
+  KdTree tree_;
   TemplateSurface surface_;
   LabellingGraph graph_;
   double unit_;
@@ -95,7 +97,7 @@ std::optional<ShapeFit> Fitter::alternate(int yaw, const Vec3& translation, std:
     points_.clear();
     for (const Vec3& p : samples_.points) points_.push_back(turn_quarters(p, -yaw) - moved);
     label(boxes, features, labels);
-    match(points_, labels, boxes, surface_, matches);
+    match({&tree_, points_, yaw, moved}, labels, boxes, surface_, matches);
     const MatchedShape shape{points_, labels, &surface_, &matches, unit_};
     const FitEnergy energy = fit_energy(shape, template_, boxes, features, graph_, options_);
     // The labelling cannot see E_t->s (its matches are only defined once all points have labels), so an

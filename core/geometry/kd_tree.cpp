@@ -82,6 +82,31 @@ class Within {
   std::vector<KdTree::Neighbour>& found_;
 };
 
+class NearestLabelled {
+ public:
+  using DistanceType = double;
+  NearestLabelled(std::span<const std::int16_t> labels, std::int16_t label, double limit, std::uint32_t index)
+      : labels_(labels), label_(label), best_(limit), limit_(just_above(limit)), index_(index) {}
+  std::size_t size() const { return 1; }
+  bool full() const { return true; }
+  double worstDist() const { return limit_; }            // NOLINT(readability-identifier-naming)
+  bool addPoint(double distance, std::uint32_t index) {  // NOLINT(readability-identifier-naming)
+    if (labels_[index] != label_ || distance > best_ || (distance == best_ && index >= index_)) return true;
+    best_ = distance;
+    limit_ = just_above(distance);
+    index_ = index;
+    return true;
+  }
+  std::uint32_t index() const { return index_; }
+
+ private:
+  std::span<const std::int16_t> labels_;
+  std::int16_t label_;
+  double best_;
+  double limit_;
+  std::uint32_t index_;
+};
+
 constexpr std::size_t leaf_size = 16;
 
 }  // namespace
@@ -108,6 +133,16 @@ KdTree::Neighbour KdTree::nearest(const Vec3& p) const {
 void KdTree::nearest(const Vec3& p, std::size_t k, std::vector<Neighbour>& result, double reach) const {
   BestK best(k, reach * reach, result);
   if (k > 0) index_->tree.findNeighbors(best, p.data(), nanoflann::SearchParams());
+}
+
+std::uint32_t KdTree::nearest_labelled(const Vec3& p, std::span<const std::int16_t> labels,
+                                       std::int16_t label, std::uint32_t hint) const {
+  const bool known = labels[hint] == label;
+  const double limit =
+      known ? (index_->adaptor.points[hint] - p).squaredNorm() : std::numeric_limits<double>::infinity();
+  NearestLabelled best(labels, label, limit, known ? hint : UINT32_MAX);
+  index_->tree.findNeighbors(best, p.data(), nanoflann::SearchParams());
+  return best.index();
 }
 
 void KdTree::within(const Vec3& p, double radius, std::vector<Neighbour>& result) const {

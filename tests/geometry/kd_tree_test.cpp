@@ -40,6 +40,13 @@ TEST_CASE("neighbours are those of brute force, ties by index") {
         REQUIRE(found.size() == std::min<std::size_t>(k, points.size()));
         for (std::size_t i = 0; i < found.size(); ++i) REQUIRE(found[i].index == all[i].second);
       }
+      std::vector<std::int16_t> labels;
+      for (std::size_t i = 0; i < points.size(); ++i) labels.push_back(static_cast<std::int16_t>(i % 3));
+      const auto labelled =
+          std::find_if(all.begin(), all.end(), [&](const auto& a) { return labels[a.second] == 2; });
+      for (const std::uint32_t hint : {2U, 3U, 699U, labelled->second}) {
+        REQUIRE(tree.nearest_labelled(p, labels, 2, hint) == labelled->second);
+      }
       const double reach = std::sqrt(all[50].first);
       tree.nearest(p, 20, found, reach);
       REQUIRE(found.size() == 20);
