@@ -93,12 +93,11 @@ LabellingGraph make_face_graph(const FaceAdjacency& adjacency, std::size_t faces
 
 ElementLabeller::ElementLabeller(const PolygonMesh& mesh, const ShapeSamples& samples,
                                  const FitOptions& options)
-    : samples_(&samples), options_(options), elements_(mesh.element_count()) {
+    : samples_(&samples), options_(options), tree_(samples.points), elements_(mesh.element_count()) {
   if (samples.size() == 0) throw PreconditionError("a shape without samples cannot be labelled");
   for (const auto f : samples.faces) {
     if (f >= elements_.size()) throw PreconditionError("the samples to label from belong to another mesh");
   }
-  const KdTree tree(samples.points);
   std::vector<KdTree::Neighbour> near;
   double area = 0;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
@@ -107,7 +106,7 @@ ElementLabeller::ElementLabeller(const PolygonMesh& mesh, const ShapeSamples& sa
         samples.frame.to_normalised(mesh.is_point_set() ? mesh.vertices[e] : face_centre(mesh, e));
     element.area_share = mesh.is_point_set() ? 1.0 : 0.5 * face_area_vector(mesh, e).norm();
     area += element.area_share;
-    tree.nearest(element.point, nearest_count, near);
+    tree_.nearest(element.point, nearest_count, near);
     double sum = 0;
     for (std::size_t i = 0; i < near.size(); ++i) {
       element.nearest[i] = near[i].index;
@@ -123,11 +122,6 @@ ElementLabeller::ElementLabeller(const PolygonMesh& mesh, const ShapeSamples& sa
   if (!surface_) return;
   faces_ = make_face_graph(adjacency, elements_.size(), area, options.face_smoothness);
   points_ = make_point_graph(samples, options);
-  around_.resize(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    tree.nearest(samples.points[i], static_cast<std::size_t>(options.face_neighbours), near);
-    for (const auto& n : near) around_[i].push_back(n.index);
-  }
 }
 
 std::vector<std::int16_t> ElementLabeller::label(const PartTemplate& part_template,
@@ -156,10 +150,12 @@ std::vector<std::int16_t> ElementLabeller::cut(const PartTemplate& part_template
 
   const auto core = core_samples(points_, fit.labels, options_.face_core);
   std::vector<std::vector<std::int16_t>> candidates(samples_->size());
+  std::vector<KdTree::Neighbour> near;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const auto& around = around_[i];
-    for (std::size_t n = 0; n < (core[i] ? 1 : around.size()); ++n) {
-      const auto label = fit.labels[around[n]];
+    tree_.nearest(samples_->points[i], core[i] ? 1 : static_cast<std::size_t>(options_.face_neighbours),
+                  near);
+    for (const auto& n : near) {
+      const auto label = fit.labels[n.index];
       candidates[i].push_back(label == null_label ? null : label);
     }
     std::sort(candidates[i].begin(), candidates[i].end());

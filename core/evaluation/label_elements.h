@@ -7,6 +7,7 @@
 
 #include "core/fitting/alpha_expansion.h"
 #include "core/fitting/fit_options.h"
+#include "core/geometry/kd_tree.h"
 #include "core/geometry/polygon_mesh.h"
 #include "core/model/part_template.h"
 #include "core/model/shape.h"
@@ -41,11 +42,11 @@ class ElementLabeller {
 
   const ShapeSamples* samples_;
   FitOptions options_;
+  KdTree tree_;           // over the samples
   bool surface_ = false;  // the mesh has an adjacency worth a cut
   std::vector<Element> elements_;
-  LabellingGraph faces_;                            // if surface_
-  LabellingGraph points_;                           // if surface_
-  std::vector<std::vector<std::uint32_t>> around_;  // per sample, nearest first, itself included; if surface_
+  LabellingGraph faces_;   // if surface_
+  LabellingGraph points_;  // if surface_
 };
 
 // The same for one fit.
