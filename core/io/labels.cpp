@@ -51,9 +51,8 @@ void read_faces(TextCursor& cursor, int label, std::vector<int>& labels) {
 
 // A name without faces is followed by an empty line or by the next name: a line that begins with a number is
 // the list of the name before it, every other one is a name.
-std::vector<int> read_named(TextCursor& cursor, std::size_t element_count) {
+std::vector<int> read_named(TextCursor& cursor, std::size_t element_count, std::vector<std::string>& names) {
   std::vector<int> labels(element_count, -1);
-  std::vector<std::string> names;
   int label = -1;
   while (cursor.next_line()) {
     TextCursor line = cursor;
@@ -74,9 +73,16 @@ std::vector<int> read_named(TextCursor& cursor, std::size_t element_count) {
 }  // namespace
 
 std::vector<int> read_labels(const std::filesystem::path& path, std::size_t element_count) {
+  std::vector<std::string> names;
+  return read_labels(path, element_count, names);
+}
+
+std::vector<int> read_labels(const std::filesystem::path& path, std::size_t element_count,
+                             std::vector<std::string>& names) {
+  names.clear();
   const std::string content = read_file(path);
   TextCursor cursor(content, path);
-  return path.filename().string().ends_with(named_ending) ? read_named(cursor, element_count)
+  return path.filename().string().ends_with(named_ending) ? read_named(cursor, element_count, names)
                                                           : read_numbered(cursor, element_count);
 }
 
