@@ -1,7 +1,6 @@
 // Reads ground truth and faces shape by shape and keeps only what overlaps what.
 #include "core/session/evaluate_labelling.h"
 
-#include <algorithm>
 #include <map>
 
 #include "core/base/error.h"
@@ -121,12 +120,12 @@ class Evaluation {
   // With the labels of a file that names them numbered as those of all such files.
   PartOverlap renumbered(const Work& work) {
     if (work.label_names.empty()) return work.overlap;
-    std::vector<std::string>& names = result_.label_names;
     std::vector<int> numbers;
     for (const std::string& name : work.label_names) {
-      auto found = std::ranges::find(names, name);
-      if (found == names.end()) found = names.insert(names.end(), name);
-      numbers.push_back(static_cast<int>(found - names.begin()));
+      const auto next = static_cast<int>(result_.label_names.size());
+      const auto [entry, is_new] = label_numbers_.try_emplace(name, next);
+      if (is_new) result_.label_names.push_back(name);
+      numbers.push_back(entry->second);
     }
     PartOverlap overlap;
     for (const auto& [pair, share] : work.overlap) {
@@ -138,6 +137,7 @@ class Evaluation {
   const Project& project_;
   const std::filesystem::path label_folder_;
   std::map<TemplateId, int> first_part_;
+  std::map<std::string, int> label_numbers_;
   std::vector<Work> ring_;
   std::vector<ShapeOverlap> shapes_;
   LabellingEvaluation result_;

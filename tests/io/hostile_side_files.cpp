@@ -19,6 +19,8 @@ std::vector<HostileFile> hostile_side_files() {
   const std::string mean = R"("mean":[0,0,0])";
   std::string many = R"({"format":"archetype-template","version":1,"name":"t","parts":[1)";
   for (int i = 0; i < 256; ++i) many += ",1";
+  std::string keys;
+  for (int i = 0; i < 257; ++i) keys += ",\"x" + std::to_string(i) + "\":1";
   return {
       {"empty.json", "", "not valid JSON"},
       {"prose.json", "once\nupon", "line 1, column 1: not valid JSON"},
@@ -77,6 +79,8 @@ std::vector<HostileFile> hostile_side_files() {
        "parts[0].must_exist: expected true or false, found number"},
       {"features.json", replaced("\"name\":\"p\"", "\"name\":\"p\",\"features\":{\"mean\":[0]}"),
        "parts[0].features.mean: expected an array of 6"},
+
+      {"many_keys.json", replaced("\"t\"", "\"t\"" + keys), "more than 256 keys that are not known"},
 
       {"empty.seg", "", "expected one label for each of the 3 elements of the shape, found 0"},
       {"fewer.seg", "1\n2\n", "found 2"},
