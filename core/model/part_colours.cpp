@@ -31,9 +31,12 @@ Rgb part_colour(int part) {
   if (part < 0) return neutral;
   const Rgb& hue = hues[static_cast<std::size_t>(part) % hues.size()];
   switch (part / static_cast<int>(hues.size()) % 3) {
-    case 1: return mixed(hue, 0, 45);
-    case 2: return mixed(hue, 255, 55);
-    default: return hue;
+    case 1:
+      return mixed(hue, 0, 45);
+    case 2:
+      return mixed(hue, 255, 55);
+    default:
+      return hue;
   }
 }
 

@@ -11,7 +11,8 @@ using Rgb = std::array<std::uint8_t, 3>;  // sRGB
 inline constexpr int part_colour_count = 21;  // distinct ones; they repeat from there
 
 // The colour of a part by its index; any negative index (null_label) is a neutral grey that no part has.
-// Seven hues that colour-blind readers can tell apart (Okabe and Ito 2008), then the same darker, then lighter.
+// Seven hues that colour-blind readers can tell apart (Okabe and Ito 2008), then the same darker, then
+// lighter.
 Rgb part_colour(int part);
 
 }  // namespace archetype

@@ -25,6 +25,9 @@ struct FitEnergy {
   friend bool operator==(const FitEnergy&, const FitEnergy&) = default;
 };
 
+// Turns by quarter turns about +y, exactly; one takes +z to +x.
+Vec3 turn_quarters(const Vec3& p, int quarters);
+
 struct FittedPart {
   bool present = false;
   Box box;  // in the template's frame; the mean box where the part is absent

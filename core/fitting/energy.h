@@ -1,0 +1,21 @@
+// The energy of a fit in its named terms (equations 1 to 7).
+#pragma once
+
+#include <span>
+
+#include "core/fitting/alpha_expansion.h"
+#include "core/fitting/deformation.h"
+#include "core/model/shape_fit.h"
+
+namespace archetype {
+
+// What a must-exist part costs that no sample is mapped to.
+// Differs from the paper: not infinite, so that fits without it can still be told apart and written to files.
+inline constexpr double missing_must_exist_energy = 1000.0;
+
+// features: as feature_costs() gives them.
+FitEnergy fit_energy(const MatchedShape& shape, const PartTemplate& part_template, std::span<const Box> boxes,
+                     std::span<const double> features, const LabellingGraph& graph,
+                     const FitOptions& options);
+
+}  // namespace archetype

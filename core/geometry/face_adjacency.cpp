@@ -1,0 +1,124 @@
+// Edges sorted by their ends.
+#include "core/geometry/face_adjacency.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace archetype {
+
+namespace {
+
+// For every vertex the first one at the same place.
+std::vector<std::uint32_t> weld(const std::vector<Vec3>& vertices) {
+  const auto before = [&](std::uint32_t a, std::uint32_t b) {
+    const Vec3& p = vertices[a];
+    const Vec3& q = vertices[b];
+    if (p.x() != q.x()) return p.x() < q.x();
+    if (p.y() != q.y()) return p.y() < q.y();
+    if (p.z() != q.z()) return p.z() < q.z();
+    return a < b;
+  };
+  std::vector<std::uint32_t> order(vertices.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), before);
+  std::vector<std::uint32_t> first(vertices.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool same = i > 0 && vertices[order[i]] == vertices[order[i - 1]];
+    first[order[i]] = same ? first[order[i - 1]] : order[i];
+  }
+  return first;
+}
+
+struct Edge {
+  std::uint64_t ends;  // lower vertex in the upper half
+  std::uint32_t face;
+  bool forward;  // the face runs from the lower to the higher vertex
+};
+
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    parent_[std::max(find(a), find(b))] = std::min(find(a), find(b));
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace
+
+FaceAdjacency find_adjacent_faces(const PolygonMesh& mesh) {
+  const std::vector<std::uint32_t> first = weld(mesh.vertices);
+  std::vector<Edge> edges;
+  edges.reserve(mesh.face_corners.size());
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto corners = mesh.face(f);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const std::uint64_t a = first[corners[i]];
+      const std::uint64_t b = first[corners[(i + 1) % corners.size()]];
+      if (a == b) continue;
+      edges.push_back({std::min(a, b) << 32 | std::max(a, b), static_cast<std::uint32_t>(f), a < b});
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const Edge& x, const Edge& y) {
+    return x.ends != y.ends ? x.ends < y.ends : x.face < y.face;
+  });
+
+  std::vector<Vec3> normals(mesh.face_count());
+  std::vector<Vec3> centres(mesh.face_count());
+  const Vec3 origin = mesh.vertices.empty() ? Vec3::Zero() : mesh.vertices.front();
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    normals[f] = face_area_vector(mesh, f);
+    centres[f] = face_centre(mesh, f);
+  }
+
+  struct Shared {
+    FacePair pair;
+    bool wound_alike;
+  };
+  std::vector<Shared> shared;
+  DisjointSets components(mesh.face_count());
+  std::size_t distinct = 0;
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t end = i + 1;
+    while (end < edges.size() && edges[end].ends == edges[i].ends) ++end;
+    ++distinct;
+    if (end - i == 2 && edges[i].face != edges[i + 1].face) {
+      const double length =
+          (mesh.vertices[edges[i].ends >> 32] - mesh.vertices[edges[i].ends & 0xffffffffU]).norm();
+      const bool alike = edges[i].forward != edges[i + 1].forward;
+      shared.push_back({{edges[i].face, edges[i + 1].face, length, 0, false}, alike});
+      if (alike) components.join(edges[i].face, edges[i + 1].face);
+    }
+    i = end;
+  }
+  // The volume's sign tells for each component whether its normals point outward.
+  std::vector<double> volume(mesh.face_count(), 0.0);
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    volume[components.find(f)] += normals[f].dot(centres[f] - origin);
+  }
+  FaceAdjacency result;
+  result.shared_share =
+      distinct == 0 ? 0 : static_cast<double>(shared.size()) / static_cast<double>(distinct);
+  for (auto& [pair, alike] : shared) {
+    const Vec3 a = normals[pair.a].normalized();
+    const Vec3 b = normals[pair.b].normalized();
+    const double cosine = alike ? a.dot(b) : std::abs(a.dot(b));
+    pair.angle = std::acos(std::clamp(cosine, -1.0, 1.0));
+    const double outward = volume[components.find(pair.a)] < 0 ? -1.0 : 1.0;
+    pair.convex = alike && outward * a.dot(centres[pair.b] - centres[pair.a]) <= 0;
+    result.pairs.push_back(pair);
+  }
+  std::sort(result.pairs.begin(), result.pairs.end(),
+            [](const FacePair& x, const FacePair& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+  return result;
+}
+
+}  // namespace archetype
