@@ -18,6 +18,7 @@ inline constexpr const char* redo = "\xef\x80\x9e";           // f01e
 inline constexpr const char* move = "\xef\x81\x87";           // f047
 inline constexpr const char* scale = "\xef\x82\xb2";          // f0b2
 inline constexpr const char* rotate = "\xef\x80\xa1";         // f021
+inline constexpr const char* save = "\xef\x83\x87";           // f0c7
 inline constexpr const char* search = "\xef\x80\x82";         // f002
 inline constexpr const char* close = "\xef\x80\x8d";          // f00d
 inline constexpr const char* check = "\xef\x80\x8c";          // f00c
