@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/hash.h"
+#include "core/base/picture.h"
 #include "core/model/part_template.h"
 #include "core/model/shape.h"
 #include "core/model/shape_fit.h"
@@ -63,12 +64,7 @@ struct TemplateRecord {
   bool current = true;               // part of the template set in use (others are history)
 };
 
-// An RGBA picture, 8 bits a channel, top row first.
-struct Thumbnail {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint8_t> pixels;
-};
+using Thumbnail = Picture;
 
 // One connection. Use one object per thread; several, also in several processes, may have the same file open.
 // Every writing function is one transaction unless a Transaction is open. All throw FileError for a full disk

@@ -1,0 +1,17 @@
+// JSON from files of unknown origin, made safe to work with.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string_view>
+
+namespace archetype {
+
+// Deeper nesting is refused: code that walks over a document may recurse.
+inline constexpr int max_json_depth = 64;
+
+// Keeps the order of keys. Throws InputError with line and column for what is no JSON, or is nested too
+// deeply.
+nlohmann::ordered_json parse_json(std::string_view text, const std::filesystem::path& file);
+
+}  // namespace archetype

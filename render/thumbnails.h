@@ -1,0 +1,27 @@
+// Small pictures of shapes for grids and lists.
+#pragma once
+
+#include <span>
+
+#include "core/base/picture.h"
+#include "render/renderer.h"
+
+namespace archetype {
+
+struct ThumbnailOptions {
+  int size = 256;  // pixels, width and height
+  Backdrop backdrop = Backdrop::transparent;
+};
+
+// A shape from a three-quarter view that fills the picture, in single colours or one per face or point; null
+// colours: neutral. Supersampled. About 1 ms for 5,000 triangles in software. Draws with OpenGL: needs the
+// renderer's context.
+Picture mesh_thumbnail(Renderer& renderer, const std::shared_ptr<const MeshGeometry>& geometry,
+                       std::shared_ptr<const Colours> face_colours, const ThumbnailOptions& options = {});
+Picture point_thumbnail(Renderer& renderer, const std::shared_ptr<const PointGeometry>& geometry,
+                        std::shared_ptr<const Colours> colours, const ThumbnailOptions& options = {});
+
+// The colour of each part index (null_label: grey), for `face_colours` above and in scenes.
+std::shared_ptr<const Colours> colours_of_labels(std::span<const std::int16_t> labels);
+
+}  // namespace archetype
