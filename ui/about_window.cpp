@@ -20,9 +20,10 @@ void draw_about_window(Studio& studio) {
     ImGui::PushFont(studio.fonts.title);
     ImGui::TextUnformatted("Archetype " ARCHETYPE_VERSION);
     ImGui::PopFont();
-    muted_paragraph(studio,
-                    "Learns what a class of shapes is made of: part-based templates from large collections, after Kim, "
-                    "Li, Mitra, Chaudhuri, DiVerdi and Funkhouser, SIGGRAPH 2013.");
+    muted_paragraph(
+        studio,
+        "Learns what a class of shapes is made of: part-based templates from large collections, after Kim, "
+        "Li, Mitra, Chaudhuri, DiVerdi and Funkhouser, SIGGRAPH 2013.");
     section_title(studio, "The shapes of this collection");
     if (studio.credits.empty()) {
       muted_paragraph(studio, "No makers are known for the shapes that are open.");

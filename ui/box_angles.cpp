@@ -16,7 +16,8 @@ Eigen::Quaterniond orientation_of_degrees(const Vec3& degrees) {
          Eigen::AngleAxisd(degrees.x() * degree, Vec3::UnitX());
 }
 
-// R = Rz Ry Rx has -sin y in its lower left corner, cos y (cos z, sin z) above it and cos y (sin x, cos x) beside it.
+// R = Rz Ry Rx has -sin y in its lower left corner, cos y (cos z, sin z) above it and cos y (sin x, cos x)
+// beside it.
 Vec3 degrees_of_orientation(const Eigen::Quaterniond& orientation) {
   const Mat3 r = orientation.toRotationMatrix();
   const double cos_y = std::hypot(r(0, 0), r(1, 0));

@@ -26,8 +26,8 @@ std::filesystem::path untitled_project_path(const std::filesystem::path& data_fo
                                             const std::filesystem::path& shapes_folder) {
   const std::filesystem::path absolute = std::filesystem::absolute(shapes_folder).lexically_normal();
   const std::string text = absolute.string();
-  const std::string name = absolute.has_filename() ? absolute.filename().string()
-                                                   : absolute.parent_path().filename().string();
+  const std::string name =
+      absolute.has_filename() ? absolute.filename().string() : absolute.parent_path().filename().string();
   const ContentHash hash = hash_content(std::as_bytes(std::span(text)));
   return data_folder / "projects" / (name + "-" + hash.to_hex().substr(0, 8) + ".archetype");
 }
@@ -73,13 +73,14 @@ std::optional<std::string> save_document(const SaveDocument& request, const JobC
 }
 
 std::optional<std::size_t> find_row(const Collection& collection, ShapeId id) {
-  const auto found =
-      std::find_if(collection.rows().begin(), collection.rows().end(), [&](const ShapeRow& row) { return row.id == id; });
+  const auto found = std::find_if(collection.rows().begin(), collection.rows().end(),
+                                  [&](const ShapeRow& row) { return row.id == id; });
   if (found == collection.rows().end()) return std::nullopt;
   return static_cast<std::size_t>(found - collection.rows().begin());
 }
 
-std::vector<std::size_t> visible_rows(const std::vector<ShapeRow>& rows, const std::string& filter, RowOrder order) {
+std::vector<std::size_t> visible_rows(const std::vector<ShapeRow>& rows, const std::string& filter,
+                                      RowOrder order) {
   const std::string wanted = lower(filter);
   std::vector<std::size_t> visible;
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -93,9 +94,8 @@ std::vector<std::size_t> visible_rows(const std::vector<ShapeRow>& rows, const s
   if (order == RowOrder::energy_up || order == RowOrder::energy_down)
     std::stable_sort(visible.begin(), visible.end(), [&](auto a, auto b) { return energy(a) < energy(b); });
   if (order == RowOrder::faces)
-    std::stable_sort(visible.begin(), visible.end(), [&](auto a, auto b) {
-      return rows[a].element_count > rows[b].element_count;
-    });
+    std::stable_sort(visible.begin(), visible.end(),
+                     [&](auto a, auto b) { return rows[a].element_count > rows[b].element_count; });
   return visible;
 }
 

@@ -1,5 +1,5 @@
-// The open project as the window sees it: one row per shape, without samples and faces. The project file itself is
-// only touched beside the window, by jobs and workers with connections of their own.
+// The open project as the window sees it: one row per shape, without samples and faces. The project file
+// itself is only touched beside the window, by jobs and workers with connections of their own.
 #pragma once
 
 #include <cstdint>
@@ -62,6 +62,7 @@ std::optional<std::size_t> find_row(const Collection& collection, ShapeId id);
 
 // The rows to show: those whose name holds `filter` (case does not matter), in the order asked for.
 enum class RowOrder { name, energy_up, energy_down, faces };
-std::vector<std::size_t> visible_rows(const std::vector<ShapeRow>& rows, const std::string& filter, RowOrder order);
+std::vector<std::size_t> visible_rows(const std::vector<ShapeRow>& rows, const std::string& filter,
+                                      RowOrder order);
 
 }  // namespace archetype

@@ -1,5 +1,5 @@
-// The collection as a grid of pictures. Only the cells in sight are drawn and asked for, so that ten thousand are no
-// more work than ten.
+// The collection as a grid of pictures. Only the cells in sight are drawn and asked for, so that ten thousand
+// are no more work than ten.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -16,7 +16,8 @@ namespace {
 
 void draw_empty(Studio& studio) {
   empty_hint(studio, "No shapes yet",
-             "Open a folder of chairs, planes or lamps as they come, drop one on the window, or look at what is there "
+             "Open a folder of chairs, planes or lamps as they come, drop one on the window, or look at what "
+             "is there "
              "already.");
   const float width = std::min(ImGui::GetContentRegionAvail().x, 240 * studio.fonts.scale);
   const float indent = (ImGui::GetContentRegionAvail().x - width) / 2;
@@ -73,8 +74,8 @@ void draw_picture(Studio& studio, const ShapeRow& row, ImVec2 low, float side) {
   const ImVec2 high(low.x + side, low.y + side);
   if (const std::uint32_t texture = studio.thumbnails.use(row.id, thumbnail_stamp(row))) {
     // Rows of pictures run from the top, as Dear ImGui's textures do.
-    draw->AddImageRounded(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture)), low, high, {0, 0}, {1, 1},
-                          IM_COL32_WHITE, rounding);
+    draw->AddImageRounded(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture)), low, high,
+                          {0, 0}, {1, 1}, IM_COL32_WHITE, rounding);
     return;
   }
   const ImVec4 muted = colours(studio).muted;
@@ -136,7 +137,8 @@ void draw_cells(Studio& studio) {
   const float space = ImGui::GetContentRegionAvail().x;
   const float wanted = static_cast<float>(studio.settings.cell_size) * studio.fonts.scale;
   const int columns = std::max(1, static_cast<int>((space + gap) / (wanted * 0.85f + gap)));
-  const float side = std::floor((space - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+  const float side =
+      std::floor((space - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
   const float height = side + 20 * studio.fonts.scale;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   scroll_to_shape(studio, columns, height + gap);

@@ -17,14 +17,15 @@ struct Command {
   std::string_view title = {};  // for people: "Add part"
   std::string_view menu = {};   // the menu that it stands in, in the order of the table; "" for none
   std::string_view key = {};    // the default shortcut, "" for none
-  std::string_view arguments = {};  // "PATH", "[NAME]": [] may be left out, and then the window asks where it has to
+  std::string_view arguments =
+      {};  // "PATH", "[NAME]": [] may be left out, and then the window asks where it has to
   // Throws Error with a line for a person: what is wrong with the arguments, or why it failed.
   void (*run)(Studio&, Arguments) = nullptr;
   // Why it cannot be used now, as a hint on what to do first; "" if it can.
   std::string (*why_not)(const Studio&) = nullptr;
   bool (*checked)(const Studio&) = nullptr;  // for switches: whether it is on
   bool separator = false;                    // a line above it in its menu
-  bool at_once = false;  // a script runs it without waiting for what is still under way
+  bool at_once = false;                      // a script runs it without waiting for what is still under way
 };
 
 // All of them, in the order of the menus.

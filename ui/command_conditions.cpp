@@ -29,8 +29,8 @@ std::string needs_fit(const Studio& studio) {
   if (std::string reason = needs_template(studio); !reason.empty()) return reason;
   if (std::string reason = needs_shape(studio); !reason.empty()) return reason;
   const Document& document = studio.history.committed();
-  const bool current =
-      studio.shape.fit && studio.shape.samples && studio.shape.fit->part_template == document.templates[document.active];
+  const bool current = studio.shape.fit && studio.shape.samples &&
+                       studio.shape.fit->part_template == document.templates[document.active];
   return current ? "" : "wait for the fit of the shape in view";
 }
 

@@ -36,7 +36,8 @@ std::vector<const Command*> found_commands(const Studio& studio) {
       found.push_back(&command);
   }
   // What can be done now comes first.
-  std::stable_partition(found.begin(), found.end(), [&](const Command* c) { return why_not(studio, *c).empty(); });
+  std::stable_partition(found.begin(), found.end(),
+                        [&](const Command* c) { return why_not(studio, *c).empty(); });
   return found;
 }
 
@@ -62,11 +63,13 @@ void draw_command_palette(Studio& studio) {
   if (!state.open) return;
   const ImGuiViewport* screen = ImGui::GetMainViewport();
   const float width = std::min(620 * studio.fonts.scale, screen->WorkSize.x * 0.9f);
-  ImGui::SetNextWindowPos({screen->GetWorkCenter().x - width / 2, screen->WorkPos.y + 40 * studio.fonts.scale});
+  ImGui::SetNextWindowPos(
+      {screen->GetWorkCenter().x - width / 2, screen->WorkPos.y + 40 * studio.fonts.scale});
   ImGui::SetNextWindowSize({width, 0});
   const bool newly_open = std::exchange(state.newly_open, false);
   if (newly_open) ImGui::SetNextWindowFocus();
-  constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+  constexpr ImGuiWindowFlags flags =
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
   ImGui::Begin("##palette", nullptr, flags);
   if (newly_open) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
@@ -87,7 +90,8 @@ void draw_command_palette(Studio& studio) {
   for (std::size_t i = 0; i < found.size(); ++i) {
     bool run = false;
     draw_command(studio, *found[i], i == state.chosen, run);
-    if (i == state.chosen && (tapped(ImGuiKey_DownArrow) || tapped(ImGuiKey_UpArrow))) ImGui::SetScrollHereY();
+    if (i == state.chosen && (tapped(ImGuiKey_DownArrow) || tapped(ImGuiKey_UpArrow)))
+      ImGui::SetScrollHereY();
     if (run) wanted = found[i];
   }
   if (found.empty()) muted_text(studio, "No command has all of these words.");

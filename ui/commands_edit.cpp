@@ -20,7 +20,9 @@ std::string needs_undo(const Studio& studio) {
   return studio.history.can_undo() || studio.history.has_preview() ? "" : "there is nothing to undo";
 }
 
-std::string needs_redo(const Studio& studio) { return studio.history.can_redo() ? "" : "there is nothing to redo"; }
+std::string needs_redo(const Studio& studio) {
+  return studio.history.can_redo() ? "" : "there is nothing to redo";
+}
 
 // Esc: the nearest thing that is open or under way.
 void cancel_command(Studio& studio, Arguments) {

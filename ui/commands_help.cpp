@@ -15,13 +15,23 @@ void palette_command(Studio& studio, Arguments) {
 }  // namespace
 
 void add_help_commands(std::vector<Command>& commands) {
-  commands.insert(
-      commands.end(),
-      {
-          {.name = "palette", .title = "All commands…", .menu = "Help", .key = "Ctrl+P", .run = palette_command},
-          {.name = "keys", .title = "Keys", .menu = "Help", .key = "F1", .run = [](Studio& s, Arguments) { s.ui.help = !s.ui.help; }},
-          {.name = "about", .title = "About and credits", .menu = "Help", .run = [](Studio& s, Arguments) { s.ui.about = !s.ui.about; }, .separator = true},
-      });
+  commands.insert(commands.end(), {
+                                      {.name = "palette",
+                                       .title = "All commands…",
+                                       .menu = "Help",
+                                       .key = "Ctrl+P",
+                                       .run = palette_command},
+                                      {.name = "keys",
+                                       .title = "Keys",
+                                       .menu = "Help",
+                                       .key = "F1",
+                                       .run = [](Studio& s, Arguments) { s.ui.help = !s.ui.help; }},
+                                      {.name = "about",
+                                       .title = "About and credits",
+                                       .menu = "Help",
+                                       .run = [](Studio& s, Arguments) { s.ui.about = !s.ui.about; },
+                                       .separator = true},
+                                  });
 }
 
 }  // namespace archetype

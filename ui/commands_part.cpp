@@ -11,9 +11,13 @@
 namespace archetype {
 namespace {
 
-const PartTemplate& active(const Studio& studio) { return *studio.history.committed().active_template(); }
+const PartTemplate& active(const Studio& studio) {
+  return *studio.history.committed().active_template();
+}
 
-Box selected_box(const Studio& studio) { return active(studio).parts[*studio.ui.part].mean_box(); }
+Box selected_box(const Studio& studio) {
+  return active(studio).parts[*studio.ui.part].mean_box();
+}
 
 Vec3 vector_argument(Arguments arguments) {
   return {number_argument(arguments, 0, "x y z"), number_argument(arguments, 1, "x y z"),
@@ -29,9 +33,13 @@ void add_command(Studio& studio, Arguments arguments) {
   studio.ui.part = part;
 }
 
-void duplicate_command(Studio& studio, Arguments) { studio.ui.part = duplicate_part(studio.history, *studio.ui.part); }
+void duplicate_command(Studio& studio, Arguments) {
+  studio.ui.part = duplicate_part(studio.history, *studio.ui.part);
+}
 
-void mirror_command(Studio& studio, Arguments) { studio.ui.part = mirror_part(studio.history, *studio.ui.part); }
+void mirror_command(Studio& studio, Arguments) {
+  studio.ui.part = mirror_part(studio.history, *studio.ui.part);
+}
 
 void delete_command(Studio& studio, Arguments) {
   remove_part(studio.history, *studio.ui.part);
@@ -86,7 +94,8 @@ void size_spread_command(Studio& studio, Arguments arguments) {
 
 void label_command(Studio& studio, Arguments arguments) {
   const double label = number_argument(arguments, 0, "a whole number from 0");
-  if (label < 0 || label > 32'000 || label != static_cast<int>(label)) throw Error("a label is a whole number from 0");
+  if (label < 0 || label > 32'000 || label != static_cast<int>(label))
+    throw Error("a label is a whole number from 0");
   set_part_label(studio.history, *studio.ui.part, static_cast<int>(label));
 }
 
@@ -104,31 +113,99 @@ void existence_command(Studio& studio, Arguments arguments) {
 
 bool must_exist_checked(const Studio& studio) {
   const PartTemplate* shown = studio.history.current().active_template();
-  return shown && studio.ui.part && *studio.ui.part < shown->parts.size() && shown->parts[*studio.ui.part].must_exist;
+  return shown && studio.ui.part && *studio.ui.part < shown->parts.size() &&
+         shown->parts[*studio.ui.part].must_exist;
 }
 
 }  // namespace
 
 void add_part_commands(std::vector<Command>& commands) {
-  commands.insert(
-      commands.end(),
-      {
-          {.name = "add-part", .title = "Add part", .menu = "Part", .key = "Shift+A", .arguments = "[NAME]", .run = add_command, .why_not = needs_template},
-          {.name = "duplicate-part", .title = "Duplicate part", .menu = "Part", .key = "Ctrl+D", .run = duplicate_command, .why_not = needs_part},
-          {.name = "mirror-part", .title = "Mirror part", .menu = "Part", .key = "Ctrl+M", .run = mirror_command, .why_not = needs_part},
-          {.name = "delete-part", .title = "Delete part", .menu = "Part", .key = "Delete", .run = delete_command, .why_not = needs_part},
-          {.name = "next-part", .title = "Select the next part", .menu = "Part", .key = "Tab", .run = next_command, .why_not = needs_template, .separator = true},
-          {.name = "must-exist", .title = "Must exist", .menu = "Part", .arguments = "[yes|no]", .run = must_exist_command, .why_not = needs_part, .checked = must_exist_checked},
-          {.name = "select-part", .title = "Select a part", .arguments = "NAME", .run = select_command, .why_not = needs_template},
-          {.name = "rename-part", .title = "Rename the part", .arguments = "NAME", .run = rename_command, .why_not = needs_part},
-          {.name = "set-position", .title = "Put the part at", .arguments = "X Y Z", .run = position_command, .why_not = needs_part},
-          {.name = "set-size", .title = "Half extents of the part", .arguments = "X Y Z", .run = size_command, .why_not = needs_part},
-          {.name = "set-rotation", .title = "Rotation of the part, degrees", .arguments = "X Y Z", .run = rotation_command, .why_not = needs_part},
-          {.name = "set-position-spread", .title = "Spread of the position", .arguments = "X Y Z", .run = position_spread_command, .why_not = needs_part},
-          {.name = "set-size-spread", .title = "Spread of the size", .arguments = "X Y Z", .run = size_spread_command, .why_not = needs_part},
-          {.name = "set-label", .title = "Label of the part", .arguments = "NUMBER", .run = label_command, .why_not = needs_part},
-          {.name = "set-existence", .title = "Existence of the part", .arguments = "SHARE", .run = existence_command, .why_not = needs_part},
-      });
+  commands.insert(commands.end(), {
+                                      {.name = "add-part",
+                                       .title = "Add part",
+                                       .menu = "Part",
+                                       .key = "Shift+A",
+                                       .arguments = "[NAME]",
+                                       .run = add_command,
+                                       .why_not = needs_template},
+                                      {.name = "duplicate-part",
+                                       .title = "Duplicate part",
+                                       .menu = "Part",
+                                       .key = "Ctrl+D",
+                                       .run = duplicate_command,
+                                       .why_not = needs_part},
+                                      {.name = "mirror-part",
+                                       .title = "Mirror part",
+                                       .menu = "Part",
+                                       .key = "Ctrl+M",
+                                       .run = mirror_command,
+                                       .why_not = needs_part},
+                                      {.name = "delete-part",
+                                       .title = "Delete part",
+                                       .menu = "Part",
+                                       .key = "Delete",
+                                       .run = delete_command,
+                                       .why_not = needs_part},
+                                      {.name = "next-part",
+                                       .title = "Select the next part",
+                                       .menu = "Part",
+                                       .key = "Tab",
+                                       .run = next_command,
+                                       .why_not = needs_template,
+                                       .separator = true},
+                                      {.name = "must-exist",
+                                       .title = "Must exist",
+                                       .menu = "Part",
+                                       .arguments = "[yes|no]",
+                                       .run = must_exist_command,
+                                       .why_not = needs_part,
+                                       .checked = must_exist_checked},
+                                      {.name = "select-part",
+                                       .title = "Select a part",
+                                       .arguments = "NAME",
+                                       .run = select_command,
+                                       .why_not = needs_template},
+                                      {.name = "rename-part",
+                                       .title = "Rename the part",
+                                       .arguments = "NAME",
+                                       .run = rename_command,
+                                       .why_not = needs_part},
+                                      {.name = "set-position",
+                                       .title = "Put the part at",
+                                       .arguments = "X Y Z",
+                                       .run = position_command,
+                                       .why_not = needs_part},
+                                      {.name = "set-size",
+                                       .title = "Half extents of the part",
+                                       .arguments = "X Y Z",
+                                       .run = size_command,
+                                       .why_not = needs_part},
+                                      {.name = "set-rotation",
+                                       .title = "Rotation of the part, degrees",
+                                       .arguments = "X Y Z",
+                                       .run = rotation_command,
+                                       .why_not = needs_part},
+                                      {.name = "set-position-spread",
+                                       .title = "Spread of the position",
+                                       .arguments = "X Y Z",
+                                       .run = position_spread_command,
+                                       .why_not = needs_part},
+                                      {.name = "set-size-spread",
+                                       .title = "Spread of the size",
+                                       .arguments = "X Y Z",
+                                       .run = size_spread_command,
+                                       .why_not = needs_part},
+                                      {.name = "set-label",
+                                       .title = "Label of the part",
+                                       .arguments = "NUMBER",
+                                       .run = label_command,
+                                       .why_not = needs_part},
+                                      {.name = "set-existence",
+                                       .title = "Existence of the part",
+                                       .arguments = "SHARE",
+                                       .run = existence_command,
+                                       .why_not = needs_part},
+                                  });
 }
 
 }  // namespace archetype

@@ -29,14 +29,16 @@ std::string milliseconds(double value) {
 void draw_diagnostics_panel(Studio& studio) {
   const auto median = studio.latency.percentile(0.5);
   if (median) {
-    line(studio, "Edit to displayed fit", "median " + milliseconds(*median) + ", 95th percentile " +
-                                              milliseconds(*studio.latency.percentile(0.95)) + ", of " +
-                                              std::to_string(studio.latency.milliseconds().size()) + " edits");
+    line(studio, "Edit to displayed fit",
+         "median " + milliseconds(*median) + ", 95th percentile " +
+             milliseconds(*studio.latency.percentile(0.95)) + ", of " +
+             std::to_string(studio.latency.milliseconds().size()) + " edits");
   } else {
     line(studio, "Edit to displayed fit", "not measured yet: drag a box of a shape in view");
   }
-  line(studio, "Last fit", milliseconds(studio.live_fit.fit_milliseconds) + ", labels of the faces " +
-                               milliseconds(studio.live_fit.label_milliseconds));
+  line(studio, "Last fit",
+       milliseconds(studio.live_fit.fit_milliseconds) + ", labels of the faces " +
+           milliseconds(studio.live_fit.label_milliseconds));
   line(studio, "Frames", milliseconds(1000.0 / std::max(1.0f, ImGui::GetIO().Framerate)) + " each");
   if (!median) return;
   const std::vector<float> values(studio.latency.milliseconds().begin(), studio.latency.milliseconds().end());

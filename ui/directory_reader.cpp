@@ -6,7 +6,8 @@
 
 namespace archetype {
 
-std::optional<DirectoryListing> list_directory(const std::filesystem::path& folder, const JobControl& control) {
+std::optional<DirectoryListing> list_directory(const std::filesystem::path& folder,
+                                               const JobControl& control) {
   constexpr std::size_t most = 20'000;
   DirectoryListing listing;
   listing.folder = folder;
@@ -27,9 +28,10 @@ std::optional<DirectoryListing> list_directory(const std::filesystem::path& fold
     listing.entries.push_back(std::move(read));
   }
   if (error) listing.problem = folder.string() + ": " + error.message();
-  std::sort(listing.entries.begin(), listing.entries.end(), [](const DirectoryEntry& a, const DirectoryEntry& b) {
-    return std::tuple(!a.folder, a.name) < std::tuple(!b.folder, b.name);
-  });
+  std::sort(listing.entries.begin(), listing.entries.end(),
+            [](const DirectoryEntry& a, const DirectoryEntry& b) {
+              return std::tuple(!a.folder, a.name) < std::tuple(!b.folder, b.name);
+            });
   return listing;
 }
 

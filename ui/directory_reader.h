@@ -24,7 +24,8 @@ struct DirectoryListing {
   std::string problem;                  // why it cannot be listed
 };
 
-std::optional<DirectoryListing> list_directory(const std::filesystem::path& folder, const JobControl& control);
+std::optional<DirectoryListing> list_directory(const std::filesystem::path& folder,
+                                               const JobControl& control);
 
 using DirectoryReader = LatestWorker<std::filesystem::path, DirectoryListing>;
 

@@ -24,7 +24,8 @@ void go_to(Studio& studio, const fs::path& folder) {
 
 bool is_shown(const BrowseFor& wanted, const DirectoryEntry& entry) {
   if (entry.folder) return true;
-  if (wanted.folders_only) return has_shape_ending(entry.name);  // to see what is in a folder; they are greyed out
+  if (wanted.folders_only)
+    return has_shape_ending(entry.name);  // to see what is in a folder; they are greyed out
   if (wanted.shapes) return has_shape_ending(entry.name);
   return wanted.ending.empty() || entry.name.ends_with(wanted.ending);
 }
@@ -58,7 +59,8 @@ void finish(Studio& studio) {
 
 void draw_places(Studio& studio) {
   const UserFolders& folders = studio.options.folders;
-  const std::pair<const char*, fs::path> places[] = {{"Home", folders.home}, {"Computer", "/"}, {"Projects", folders.data / "projects"}};
+  const std::pair<const char*, fs::path> places[] = {
+      {"Home", folders.home}, {"Computer", "/"}, {"Projects", folders.data / "projects"}};
   for (const auto& [name, path] : places) {
     std::error_code none;
     if (fs::is_directory(path, none) && ImGui::Selectable(name)) go_to(studio, path);
@@ -137,7 +139,8 @@ void draw_buttons(Studio& studio) {
   const float width = 96 * studio.fonts.scale;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * (width + ImGui::GetStyle().ItemSpacing.x));
   const char* hint = state.wanted.folders_only ? "this folder, or a path" : "name or path";
-  const bool entered = ImGui::InputTextWithHint("##typed", hint, &state.typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputTextWithHint("##typed", hint, &state.typed, ImGuiInputTextFlags_EnterReturnsTrue);
   if (ImGui::IsItemEdited()) state.asked_to_replace = false;
   mark_target(studio, "browser:typed");
   ImGui::SameLine();

@@ -1,4 +1,5 @@
-// The fit of the shape in view: the terms of the energy (section 4.1), what the yaws scored, the parts that were found.
+// The fit of the shape in view: the terms of the energy (section 4.1), what the yaws scored, the parts that
+// were found.
 #include <imgui.h>
 
 #include <algorithm>
@@ -37,7 +38,8 @@ void energy_row(const Studio& studio, const char* name, const char* meaning, dou
   const float rounding = 2 * studio.fonts.scale;
   draw->AddRectFilled({low.x, top}, {low.x + space, bottom}, ImGui::GetColorU32(p.raised), rounding);
   if (share > 0.01f)
-    draw->AddRectFilled({low.x, top}, {low.x + space * share, bottom}, ImGui::GetColorU32(p.accent), rounding);
+    draw->AddRectFilled({low.x, top}, {low.x + space * share, bottom}, ImGui::GetColorU32(p.accent),
+                        rounding);
   ImGui::SetCursorScreenPos({low.x + space + 8 * studio.fonts.scale, low.y});
   ImGui::TextUnformatted(number(value).c_str());
 }
@@ -46,12 +48,15 @@ void draw_energy(const Studio& studio, const FitEnergy& energy) {
   const std::array terms{energy.shape_to_template, energy.template_to_shape, energy.features,
                          energy.deformation,       energy.smoothness,        energy.existence};
   const double largest = *std::max_element(terms.begin(), terms.end());
-  energy_row(studio, "Shape to template", "How far the samples lie from the boxes of their parts.", terms[0], largest);
+  energy_row(studio, "Shape to template", "How far the samples lie from the boxes of their parts.", terms[0],
+             largest);
   energy_row(studio, "Template to shape", "How much of the boxes has no shape near it.", terms[1], largest);
-  energy_row(studio, "Features", "How unlike the local shape is to what each part expects; null samples cost here.",
-             terms[2], largest);
+  energy_row(studio, "Features",
+             "How unlike the local shape is to what each part expects; null samples cost here.", terms[2],
+             largest);
   energy_row(studio, "Deformation", "How far the boxes had to leave their means.", terms[3], largest);
-  energy_row(studio, "Smoothness", "Where neighbouring samples belong to different parts.", terms[4], largest);
+  energy_row(studio, "Smoothness", "Where neighbouring samples belong to different parts.", terms[4],
+             largest);
   energy_row(studio, "Existence", "How unlikely it is that just these parts are there.", terms[5], largest);
 }
 
@@ -91,7 +96,8 @@ void draw_parts(const Studio& studio, const ViewFit& view) {
     std::snprintf(share, sizeof share, "%.1f %%", 100 * static_cast<double>(counts[null ? 0 : i + 1]) / all);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float line = ImGui::GetTextLineHeight();
-    ImGui::GetWindowDrawList()->AddRectFilled({low.x, low.y + line * 0.2f}, {low.x + line * 0.6f, low.y + line * 0.8f},
+    ImGui::GetWindowDrawList()->AddRectFilled({low.x, low.y + line * 0.2f},
+                                              {low.x + line * 0.6f, low.y + line * 0.8f},
                                               IM_COL32(rgb[0], rgb[1], rgb[2], 255), 3 * studio.fonts.scale);
     ImGui::Dummy({line * 0.6f, line});
     ImGui::SameLine();
@@ -124,8 +130,8 @@ void draw_fit_panel(Studio& studio) {
   ImGui::PopFont();
   ImGui::SameLine();
   char text[96];
-  std::snprintf(text, sizeof text, "energy, %s %d alternations", view->fit.converged ? "settled after" : "stopped after",
-                view->fit.alternations);
+  std::snprintf(text, sizeof text, "energy, %s %d alternations",
+                view->fit.converged ? "settled after" : "stopped after", view->fit.alternations);
   ImGui::AlignTextToFramePadding();
   muted_text(studio, text);
   draw_energy(studio, view->fit.energy);

@@ -17,8 +17,8 @@ struct Fonts {
   std::vector<std::string> missing;  // font files that are not there, so that Dear ImGui's own stands in
 };
 
-// Replaces the fonts of the current Dear ImGui context; the back end has to make its texture again. The files are
-// those that were found when the program was configured, or else Debian's usual places.
+// Replaces the fonts of the current Dear ImGui context; the back end has to make its texture again. The files
+// are those that were found when the program was configured, or else Debian's usual places.
 Fonts load_fonts(float scale);
 
 }  // namespace archetype

@@ -1,6 +1,6 @@
-// The layout: the collection on the left, the shape in the middle, the template and the fit on the right, jobs and
-// messages below. Dear ImGui 1.86 has no docking: the panels are windows that stand still, with bars between them that
-// can be dragged.
+// The layout: the collection on the left, the shape in the middle, the template and the fit on the right,
+// jobs and messages below. Dear ImGui 1.86 has no docking: the panels are windows that stand still, with bars
+// between them that can be dragged.
 #include "ui/frame.h"
 
 #include <imgui.h>
@@ -44,9 +44,9 @@ Layout lay_out(const Studio& studio) {
   const float side_share = width * 0.32f;
   const float left = std::min(static_cast<float>(settings.left_width) * scale, side_share);
   const float right = std::min(static_cast<float>(settings.right_width) * scale, side_share);
-  const float below = settings.show_bottom
-                          ? std::min(static_cast<float>(settings.bottom_height) * scale, (high.y - low.y) * 0.5f)
-                          : 0.0f;
+  const float below = settings.show_bottom ? std::min(static_cast<float>(settings.bottom_height) * scale,
+                                                      (high.y - low.y) * 0.5f)
+                                           : 0.0f;
   const float main_high = high.y - status;
   const float centre_high = settings.show_bottom ? main_high - below - layout.gap : main_high;
   const float x0 = low.x + left + layout.gap;
@@ -60,8 +60,9 @@ Layout lay_out(const Studio& studio) {
   return layout;
 }
 
-constexpr ImGuiWindowFlags still = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus;
+constexpr ImGuiWindowFlags still = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                   ImGuiWindowFlags_NoNavFocus;
 
 void begin_area(const char* name, const Rect& rect, ImGuiWindowFlags flags = 0) {
   ImGui::SetNextWindowPos(rect.low);
@@ -69,7 +70,8 @@ void begin_area(const char* name, const Rect& rect, ImGuiWindowFlags flags = 0) 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  ImGui::Begin(name, nullptr, (still & ~(flags & ImGuiWindowFlags_NoScrollbar ? 0 : ImGuiWindowFlags_NoScrollbar)) | flags);
+  ImGui::Begin(name, nullptr,
+               (still & ~(flags & ImGuiWindowFlags_NoScrollbar ? 0 : ImGuiWindowFlags_NoScrollbar)) | flags);
   ImGui::PopStyleVar(3);
 }
 
@@ -93,16 +95,18 @@ void splitter(Studio& studio, const char* name, const Rect& rect, bool vertical,
 void draw_background(Studio& studio, const Layout& layout) {
   const ImGuiViewport* screen = ImGui::GetMainViewport();
   ImGui::PushStyleColor(ImGuiCol_WindowBg, colours(studio).back);
-  begin_area("##back", {screen->WorkPos, {screen->WorkPos.x + screen->WorkSize.x, screen->WorkPos.y + screen->WorkSize.y}},
-             ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  begin_area(
+      "##back",
+      {screen->WorkPos, {screen->WorkPos.x + screen->WorkSize.x, screen->WorkPos.y + screen->WorkSize.y}},
+      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   const Layout& l = layout;
   splitter(studio, "left", {{l.left.high.x, l.left.low.y}, {l.tools.low.x, l.left.high.y}}, true,
            studio.settings.left_width, 1, 120, 900);
   splitter(studio, "right", {{l.tools.high.x, l.right.low.y}, {l.right.low.x, l.right.high.y}}, true,
            studio.settings.right_width, -1, 200, 900);
   if (studio.settings.show_bottom)
-    splitter(studio, "bottom", {{l.bottom.low.x, l.bottom.low.y - l.gap}, {l.bottom.high.x, l.bottom.low.y}}, false,
-             studio.settings.bottom_height, -1, 60, 900);
+    splitter(studio, "bottom", {{l.bottom.low.x, l.bottom.low.y - l.gap}, {l.bottom.high.x, l.bottom.low.y}},
+             false, studio.settings.bottom_height, -1, 60, 900);
   ImGui::End();
   ImGui::PopStyleColor();
 }
@@ -192,11 +196,16 @@ void draw_frame(Studio& studio) {
 }
 
 std::span<const Panel> all_panels() {
-  static constexpr std::array panels{Panel{"collection", draw_collection_panel}, Panel{"template", draw_template_panel},
-                                     Panel{"part", draw_part_panel},             Panel{"fit", draw_fit_panel},
-                                     Panel{"jobs", draw_jobs_panel},             Panel{"messages", draw_messages_panel},
-                                     Panel{"history", draw_history_panel},       Panel{"diagnostics", draw_diagnostics_panel},
-                                     Panel{"tools", draw_tool_bar},              Panel{"status", draw_status_bar}};
+  static constexpr std::array panels{Panel{"collection", draw_collection_panel},
+                                     Panel{"template", draw_template_panel},
+                                     Panel{"part", draw_part_panel},
+                                     Panel{"fit", draw_fit_panel},
+                                     Panel{"jobs", draw_jobs_panel},
+                                     Panel{"messages", draw_messages_panel},
+                                     Panel{"history", draw_history_panel},
+                                     Panel{"diagnostics", draw_diagnostics_panel},
+                                     Panel{"tools", draw_tool_bar},
+                                     Panel{"status", draw_status_bar}};
   return panels;
 }
 

@@ -46,11 +46,13 @@ void draw_menu(const Studio& studio, std::string_view menu, const char* title) {
 void draw_help_window(Studio& studio) {
   if (!studio.ui.help) return;
   const ImGuiViewport* screen = ImGui::GetMainViewport();
-  const ImVec2 size(std::min(660 * studio.fonts.scale, screen->WorkSize.x * 0.9f), screen->WorkSize.y * 0.85f);
+  const ImVec2 size(std::min(660 * studio.fonts.scale, screen->WorkSize.x * 0.9f),
+                    screen->WorkSize.y * 0.85f);
   ImGui::SetNextWindowPos(screen->GetWorkCenter(), ImGuiCond_Appearing, {0.5f, 0.5f});
   ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
   if (ImGui::Begin("Keys and commands", &studio.ui.help, ImGuiWindowFlags_NoCollapse)) {
-    muted_paragraph(studio, "The third column is the name for scripts. Ctrl+P finds a command by any of its words.");
+    muted_paragraph(studio,
+                    "The third column is the name for scripts. Ctrl+P finds a command by any of its words.");
     draw_mouse(studio);
     for (const char* menu : {"File", "Edit", "Template", "Part", "Shape", "View", "Window", "Help"})
       draw_menu(studio, menu, menu);

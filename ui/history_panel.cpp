@@ -18,7 +18,8 @@ void draw_history_panel(Studio& studio) {
       const bool undone = entry > studio.history.position();
       ImGui::PushID(row);
       if (undone) ImGui::PushStyleColor(ImGuiCol_Text, colours(studio).muted);
-      if (ImGui::Selectable(entries[entry].message.c_str(), entry == studio.history.position())) wanted = entry;
+      if (ImGui::Selectable(entries[entry].message.c_str(), entry == studio.history.position()))
+        wanted = entry;
       if (undone) ImGui::PopStyleColor();
       mark_target(studio, "history:" + std::to_string(entry));
       ImGui::PopID();

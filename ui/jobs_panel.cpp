@@ -14,7 +14,8 @@ namespace {
 
 std::string progress_text(const JobView& job) {
   std::string text = job.doing;
-  if (job.total > 0) text += (text.empty() ? "" : "  ") + count_text(job.done) + " of " + count_text(job.total);
+  if (job.total > 0)
+    text += (text.empty() ? "" : "  ") + count_text(job.done) + " of " + count_text(job.total);
   if (job.seconds_left) text += "  ·  " + duration_text(*job.seconds_left) + " left";
   return text;
 }
@@ -78,8 +79,9 @@ void draw_ended(Studio& studio, const JobView& job) {
 void draw_jobs_panel(Studio& studio) {
   const std::vector<JobView> jobs = studio.jobs.view();
   if (jobs.empty()) {
-    empty_hint(studio, "Nothing is running", "Imports, fits of the whole collection and exports show here with their "
-                                             "progress, the time left and a button that stops them.");
+    empty_hint(studio, "Nothing is running",
+               "Imports, fits of the whole collection and exports show here with their "
+               "progress, the time left and a button that stops them.");
     return;
   }
   for (const JobView& job : jobs) {

@@ -7,19 +7,19 @@
 namespace archetype {
 namespace {
 
-constexpr std::array named_keys{"Escape", "Enter", "Tab",  "Backspace", "Insert", "Delete", "Right",
-                                "Left",   "Down",  "Up",   "PageUp",    "PageDown", "Home", "End",
-                                "Space",  "F1",    "F2",   "F3",        "F4",     "F5",     "F6",
-                                "F7",     "F8",    "F9",   "F10",       "F11",    "F12"};
+constexpr std::array named_keys{"Escape", "Enter", "Tab", "Backspace", "Insert",   "Delete", "Right",
+                                "Left",   "Down",  "Up",  "PageUp",    "PageDown", "Home",   "End",
+                                "Space",  "F1",    "F2",  "F3",        "F4",       "F5",     "F6",
+                                "F7",     "F8",    "F9",  "F10",       "F11",      "F12"};
 
 bool equal_ignoring_case(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
-    return std::tolower(x) == std::tolower(y);
-  });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
 std::string canonical_key(std::string_view text) {
-  if (text.size() == 1) return std::string(1, static_cast<char>(std::toupper(static_cast<unsigned char>(text[0]))));
+  if (text.size() == 1)
+    return std::string(1, static_cast<char>(std::toupper(static_cast<unsigned char>(text[0]))));
   for (const char* name : named_keys)
     if (equal_ignoring_case(text, name)) return name;
   return "";
@@ -49,7 +49,8 @@ std::optional<KeyChord> parse_chord(std::string_view text) {
 }
 
 std::string to_string(const KeyChord& chord) {
-  return std::string(chord.ctrl ? "Ctrl+" : "") + (chord.alt ? "Alt+" : "") + (chord.shift ? "Shift+" : "") + chord.key;
+  return std::string(chord.ctrl ? "Ctrl+" : "") + (chord.alt ? "Alt+" : "") + (chord.shift ? "Shift+" : "") +
+         chord.key;
 }
 
 bool works_in_text_fields(const KeyChord& chord) {

@@ -18,8 +18,8 @@ struct KeyChord {
 std::optional<KeyChord> parse_chord(std::string_view text);  // nothing if there is no key in it
 std::string to_string(const KeyChord& chord);
 
-// Whether the chord still means a command while a text field has the keyboard: function keys, and Ctrl with a letter
-// that no text field uses.
+// Whether the chord still means a command while a text field has the keyboard: function keys, and Ctrl with a
+// letter that no text field uses.
 bool works_in_text_fields(const KeyChord& chord);
 
 }  // namespace archetype

@@ -20,7 +20,9 @@ void LatencyMeter::displayed(std::uint64_t revision, Clock::time_point at) {
   }
 }
 
-void LatencyMeter::forget_open() { open_.clear(); }
+void LatencyMeter::forget_open() {
+  open_.clear();
+}
 
 void LatencyMeter::clear() {
   open_.clear();
@@ -31,7 +33,8 @@ std::optional<double> LatencyMeter::percentile(double share) const {
   if (answered_.empty()) return std::nullopt;
   std::vector<double> sorted(answered_.begin(), answered_.end());
   const double rank = std::ceil(share * static_cast<double>(sorted.size())) - 1;
-  const auto index = static_cast<std::ptrdiff_t>(std::clamp(rank, 0.0, static_cast<double>(sorted.size() - 1)));
+  const auto index =
+      static_cast<std::ptrdiff_t>(std::clamp(rank, 0.0, static_cast<double>(sorted.size() - 1)));
   std::nth_element(sorted.begin(), sorted.begin() + index, sorted.end());
   return sorted[static_cast<std::size_t>(index)];
 }

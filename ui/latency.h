@@ -9,8 +9,8 @@
 
 namespace archetype {
 
-// Every edit counts, also those that were never computed because a newer one came first: an edit is answered by the
-// first displayed fit that is as new as it or newer.
+// Every edit counts, also those that were never computed because a newer one came first: an edit is answered
+// by the first displayed fit that is as new as it or newer.
 class LatencyMeter {
  public:
   using Clock = std::chrono::steady_clock;

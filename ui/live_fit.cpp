@@ -40,7 +40,8 @@ std::optional<LiveFitResult> run_live_fit(const LiveFitRequest& request, const J
     const Clock::time_point labelling = Clock::now();
     ViewFit view{request.part_template, std::move(*fit), {}};
     if (request.mesh)
-      view.element_labels = label_elements(*request.mesh, *request.samples, part_template, view.fit, request.options);
+      view.element_labels =
+          label_elements(*request.mesh, *request.samples, part_template, view.fit, request.options);
     result.label_milliseconds = milliseconds_since(labelling);
     result.fit = std::make_shared<const ViewFit>(std::move(view));
   } catch (const std::exception& error) {

@@ -11,7 +11,8 @@ namespace archetype {
 void draw_messages_panel(Studio& studio) {
   const auto& list = studio.messages.list();
   if (list.empty()) {
-    empty_hint(studio, "No messages", "Files that could not be read, and anything else worth knowing, will stand here.");
+    empty_hint(studio, "No messages",
+               "Files that could not be read, and anything else worth knowing, will stand here.");
     return;
   }
   const Palette& p = colours(studio);
@@ -20,9 +21,9 @@ void draw_messages_panel(Studio& studio) {
   for (const Message& message : list) {
     const bool error = message.severity == Severity::error;
     ImGui::PushStyleColor(ImGuiCol_Text, severity_colour(p, message.severity));
-    ImGui::TextUnformatted(error                                    ? icon::error
+    ImGui::TextUnformatted(error                                   ? icon::error
                            : message.severity == Severity::warning ? icon::warning
-                                                                    : icon::note);
+                                                                   : icon::note);
     ImGui::PopStyleColor();
     ImGui::SameLine();
     ImGui::TextUnformatted(message.text.c_str());

@@ -1,5 +1,5 @@
-// The numbers of the selected part. A number is dragged or typed; while that goes on the fit follows, and it becomes
-// one step of the history.
+// The numbers of the selected part. A number is dragged or typed; while that goes on the fit follows, and it
+// becomes one step of the history.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -25,8 +25,8 @@ void row_label(const Studio& studio, const char* name, const char* hint) {
 }
 
 // Three fields; every change while one is held is live, letting go ends the edit.
-void vector_row(Studio& studio, const char* name, const char* hint, const Vec3& value, float speed, const char* format,
-                const Apply& apply) {
+void vector_row(Studio& studio, const char* name, const char* hint, const Vec3& value, float speed,
+                const char* format, const Apply& apply) {
   row_label(studio, name, hint);
   const float gap = 4 * studio.fonts.scale;
   const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
@@ -38,7 +38,8 @@ void vector_row(Studio& studio, const char* name, const char* hint, const Vec3& 
     if (axis > 0) ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(width);
     ImGui::PushID(axis);
-    changed |= ImGui::DragScalar("##value", ImGuiDataType_Double, &edited[axis], speed, nullptr, nullptr, format);
+    changed |=
+        ImGui::DragScalar("##value", ImGuiDataType_Double, &edited[axis], speed, nullptr, nullptr, format);
     over |= ImGui::IsItemDeactivatedAfterEdit();
     mark_target(studio, std::string("field:") + name + "." + "xyz"[axis]);
     ImGui::PopID();
@@ -84,8 +85,8 @@ void existence_row(Studio& studio, std::size_t part, const TemplatePart& shown) 
   ImGui::SetNextItemWidth(-1);
   const double low = 0.1;
   const double high = 100;
-  const bool changed = ImGui::SliderScalar("##existence", ImGuiDataType_Double, &percent, &low, &high, "%.0f %%",
-                                           ImGuiSliderFlags_AlwaysClamp);
+  const bool changed = ImGui::SliderScalar("##existence", ImGuiDataType_Double, &percent, &low, &high,
+                                           "%.0f %%", ImGuiSliderFlags_AlwaysClamp);
   mark_target(studio, "field:Existence");
   if (ImGui::IsItemDeactivatedAfterEdit())
     set_existence(studio.history, part, percent / 100, Stage::done);
@@ -95,21 +96,22 @@ void existence_row(Studio& studio, std::size_t part, const TemplatePart& shown) 
 
 void box_rows(Studio& studio, std::size_t part, const Box& box) {
   const float speed = 0.004f;  // normalised units per pixel: a drag over a panel is about the size of a shape
-  vector_row(studio, "Centre", "Mean centre of the box, in normalised units: the samples lie 1 from the centre of the "
-                               "shape on average.",
+  vector_row(studio, "Centre",
+             "Mean centre of the box, in normalised units: the samples lie 1 from the centre of the "
+             "shape on average.",
              box.centre, speed, "%.3f", [&](const Vec3& centre, Stage stage) {
                Box moved = box;
                moved.centre = centre;
                set_part_box(studio.history, part, moved, stage);
              });
-  vector_row(studio, "Half size", "Mean half extents along the axes of the box.", box.half_extent, speed, "%.3f",
-             [&](const Vec3& half_extent, Stage stage) {
+  vector_row(studio, "Half size", "Mean half extents along the axes of the box.", box.half_extent, speed,
+             "%.3f", [&](const Vec3& half_extent, Stage stage) {
                Box sized = box;
                sized.half_extent = half_extent;
                set_part_box(studio.history, part, sized, stage);
              });
-  vector_row(studio, "Rotation", "Degrees about x, then y, then z.", degrees_of_orientation(box.orientation), 0.5f,
-             "%.1f°", [&](const Vec3& degrees, Stage stage) {
+  vector_row(studio, "Rotation", "Degrees about x, then y, then z.", degrees_of_orientation(box.orientation),
+             0.5f, "%.1f°", [&](const Vec3& degrees, Stage stage) {
                Box turned = box;
                turned.orientation = orientation_of_degrees(degrees);
                set_part_box(studio.history, part, turned, stage);
@@ -124,7 +126,8 @@ void draw_part_panel(Studio& studio) {
   if (!active || !studio.ui.part || *studio.ui.part >= active->parts.size()) {
     if (active && !active->parts.empty()) {
       section_title(studio, "Part");
-      muted_paragraph(studio, "Click a part in the list, or its box in the view, to see and type its numbers.");
+      muted_paragraph(studio,
+                      "Click a part in the list, or its box in the view, to see and type its numbers.");
     }
     return;
   }
@@ -137,8 +140,9 @@ void draw_part_panel(Studio& studio) {
   box_rows(studio, part, shown.mean_box());
   const float speed = 0.002f;
   vector_row(studio, "± centre", "Standard deviation of the centre: how far it may lie elsewhere.",
-             shown.position.stddev, speed, "%.3f",
-             [&](const Vec3& stddev, Stage stage) { set_position_stddev(studio.history, part, stddev, stage); });
+             shown.position.stddev, speed, "%.3f", [&](const Vec3& stddev, Stage stage) {
+               set_position_stddev(studio.history, part, stddev, stage);
+             });
   vector_row(studio, "± size", "Standard deviation of the half extents.", shown.scale.stddev, speed, "%.3f",
              [&](const Vec3& stddev, Stage stage) { set_scale_stddev(studio.history, part, stddev, stage); });
 }

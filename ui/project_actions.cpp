@@ -61,7 +61,8 @@ void put_into_view(Studio& studio, OpenedProject opened) {
 std::string summary(const ImportReport& report) {
   std::string text = plural(report.imported, "shape") + " read";
   if (report.unchanged > 0) text += ", " + std::to_string(report.unchanged) + " were there already";
-  if (!report.refused.empty()) text += ", " + std::to_string(report.refused.size()) + " refused (see messages)";
+  if (!report.refused.empty())
+    text += ", " + std::to_string(report.refused.size()) + " refused (see messages)";
   return text + (report.cancelled ? "; stopped, open the folder again to go on" : "");
 }
 
@@ -70,40 +71,46 @@ void start_import(Studio& studio, std::vector<fs::path> paths, bool fit_then = f
   ImportOptions options;
   options.threads = static_cast<unsigned>(studio.settings.threads);
   const std::string title = "Import " + paths.front().filename().string();
-  studio.jobs.start(title, [&studio, project_path, paths = std::move(paths), options,
-                             fit_then](const JobControl& control) -> Jobs::Apply {
-    Project project = Project::open(project_path);
-    ImportReport report = import_shapes(project, paths, options, control);
-    return [&studio, project_path, fit_then, report = std::move(report)] {
-      for (const RefusedInput& refused : report.refused) studio.messages.warn(refused.reason);
-      for (const std::string& warning : report.warnings) studio.messages.note(warning);
-      if (report.imported > 0 || !report.refused.empty()) say(studio, Severity::note, summary(report));
-      const bool still_open = studio.collection.path == project_path;
-      if (fit_then && !report.cancelled && still_open && studio.history.committed().active_template()) fit_all(studio);
-    };
-  });
+  studio.jobs.start(
+      title,
+      [&studio, project_path, paths = std::move(paths), options,
+       fit_then](const JobControl& control) -> Jobs::Apply {
+        Project project = Project::open(project_path);
+        ImportReport report = import_shapes(project, paths, options, control);
+        return [&studio, project_path, fit_then, report = std::move(report)] {
+          for (const RefusedInput& refused : report.refused) studio.messages.warn(refused.reason);
+          for (const std::string& warning : report.warnings) studio.messages.note(warning);
+          if (report.imported > 0 || !report.refused.empty()) say(studio, Severity::note, summary(report));
+          const bool still_open = studio.collection.path == project_path;
+          if (fit_then && !report.cancelled && still_open && studio.history.committed().active_template())
+            fit_all(studio);
+        };
+      });
 }
 
-// Prepares the folder (unpacks or generates it, say) beside the window, then shows its project and imports it.
-// `starting_template`, if given, is what a project without a template begins with, fitted to all shapes.
+// Prepares the folder (unpacks or generates it, say) beside the window, then shows its project and imports
+// it. `starting_template`, if given, is what a project without a template begins with, fitted to all shapes.
 void open_prepared_folder(Studio& studio, const fs::path& folder, const std::string& title,
                           const fs::path& starting_template, std::function<bool(const JobControl&)> prepare) {
   const fs::path path = untitled_project_path(studio.options.folders.data, folder);
-  studio.jobs.start("Open " + title, [&studio, path, folder, title, starting_template, prepare = std::move(prepare)](
-                                         const JobControl& control) -> Jobs::Apply {
-    if (prepare && !prepare(control)) return {};
-    fs::create_directories(path.parent_path());
-    Project::open_or_create(path).set_setting("studio.folder", fs::absolute(folder).string());
-    OpenedProject opened = read_project(path, title);
-    opened.untitled = true;
-    const bool first_time = opened.document.templates.empty() && !starting_template.empty();
-    if (first_time)
-      opened.document.templates.push_back(std::make_shared<const PartTemplate>(read_template(starting_template)));
-    return [&studio, folder, first_time, opened = std::move(opened)]() mutable {
-      put_into_view(studio, std::move(opened));
-      start_import(studio, {folder}, first_time);
-    };
-  });
+  studio.jobs.start("Open " + title,
+                    [&studio, path, folder, title, starting_template,
+                     prepare = std::move(prepare)](const JobControl& control) -> Jobs::Apply {
+                      if (prepare && !prepare(control)) return {};
+                      fs::create_directories(path.parent_path());
+                      Project::open_or_create(path).set_setting("studio.folder",
+                                                                fs::absolute(folder).string());
+                      OpenedProject opened = read_project(path, title);
+                      opened.untitled = true;
+                      const bool first_time = opened.document.templates.empty() && !starting_template.empty();
+                      if (first_time)
+                        opened.document.templates.push_back(
+                            std::make_shared<const PartTemplate>(read_template(starting_template)));
+                      return [&studio, folder, first_time, opened = std::move(opened)]() mutable {
+                        put_into_view(studio, std::move(opened));
+                        start_import(studio, {folder}, first_time);
+                      };
+                    });
 }
 
 }  // namespace
@@ -122,7 +129,9 @@ void open_project(Studio& studio, const fs::path& path) {
   remember_recent(studio.settings, absolute);
   const std::string title = absolute.stem().string();
   studio.jobs.start("Open " + title, [&studio, absolute, title](const JobControl&) -> Jobs::Apply {
-    return [&studio, opened = read_project(absolute, title)]() mutable { put_into_view(studio, std::move(opened)); };
+    return [&studio, opened = read_project(absolute, title)]() mutable {
+      put_into_view(studio, std::move(opened));
+    };
   });
 }
 
@@ -157,45 +166,47 @@ void save_project_as(Studio& studio, const fs::path& wanted) {
   if (path.extension() != ".archetype") path += ".archetype";
   if (fs::exists(path)) throw FileError(path, "exists already; choose another name");
   const fs::path from = studio.collection.path;
-  studio.jobs.start("Save as " + path.filename().string(),
-                    [&studio, from, path, document = studio.history.committed()](const JobControl& control) -> Jobs::Apply {
-                      if (const auto problem = save_document({from, document}, control); problem && !problem->empty())
-                        throw Error(*problem);
-                      Project::open(from).copy_to(path);
-                      return [&studio, path] {
-                        studio.collection.path = path;
-                        studio.collection.title = path.stem().string();
-                        studio.collection.untitled = false;
-                        remember_recent(studio.settings, path);
-                        say(studio, Severity::note, "Saved as " + path.string());
-                      };
-                    });
+  studio.jobs.start(
+      "Save as " + path.filename().string(),
+      [&studio, from, path, document = studio.history.committed()](const JobControl& control) -> Jobs::Apply {
+        if (const auto problem = save_document({from, document}, control); problem && !problem->empty())
+          throw Error(*problem);
+        Project::open(from).copy_to(path);
+        return [&studio, path] {
+          studio.collection.path = path;
+          studio.collection.title = path.stem().string();
+          studio.collection.untitled = false;
+          remember_recent(studio.settings, path);
+          say(studio, Severity::note, "Saved as " + path.string());
+        };
+      });
 }
 
 void fit_all(Studio& studio) {
   const PartTemplate part_template = *studio.history.committed().active_template();
   const fs::path path = studio.collection.path;
   const auto threads = static_cast<unsigned>(studio.settings.threads);
-  studio.jobs.start("Fit " + part_template.name + " to all shapes",
-                    [&studio, part_template, path, threads](const JobControl& control) -> Jobs::Apply {
-                      Project project = Project::open(path);
-                      const FitCollectionReport report = fit_collection(project, {part_template}, {}, threads, control);
-                      return [&studio, report] {
-                        for (const RefusedInput& refused : report.refused) studio.messages.warn(refused.reason);
-                        std::string text = plural(report.fitted, "shape") + " fitted";
-                        if (report.kept > 0) text += ", " + std::to_string(report.kept) + " were up to date";
-                        if (!report.refused.empty()) text += ", " + std::to_string(report.refused.size()) + " could not be";
-                        say(studio, Severity::note, text + (report.cancelled ? "; stopped, fit again to go on" : ""));
-                      };
-                    });
+  studio.jobs.start(
+      "Fit " + part_template.name + " to all shapes",
+      [&studio, part_template, path, threads](const JobControl& control) -> Jobs::Apply {
+        Project project = Project::open(path);
+        const FitCollectionReport report = fit_collection(project, {part_template}, {}, threads, control);
+        return [&studio, report] {
+          for (const RefusedInput& refused : report.refused) studio.messages.warn(refused.reason);
+          std::string text = plural(report.fitted, "shape") + " fitted";
+          if (report.kept > 0) text += ", " + std::to_string(report.kept) + " were up to date";
+          if (!report.refused.empty()) text += ", " + std::to_string(report.refused.size()) + " could not be";
+          say(studio, Severity::note, text + (report.cancelled ? "; stopped, fit again to go on" : ""));
+        };
+      });
 }
 
 void open_seats(Studio& studio) {
   const fs::path folder = studio.options.folders.cache / "collections" / "sweethome3d-seats";
   const fs::path furniture = studio.options.furniture;
-  open_prepared_folder(studio, folder, "Seats of Sweet Home 3D", starting_template_path(studio, "chair"), [furniture, folder](const JobControl& control) {
-    return extract_seats(furniture, folder, control);
-  });
+  open_prepared_folder(
+      studio, folder, "Seats of Sweet Home 3D", starting_template_path(studio, "chair"),
+      [furniture, folder](const JobControl& control) { return extract_seats(furniture, folder, control); });
 }
 
 void open_generated(Studio& studio, const std::string& family, std::size_t count) {
@@ -207,9 +218,10 @@ void open_generated(Studio& studio, const std::string& family, std::size_t count
   const fs::path folder =
       studio.options.folders.cache / "collections" / (names.name + "-" + std::to_string(count));
   const std::string one = names.name.substr(0, names.name.size() - 1);  // "chairs" -> "chair"
-  open_prepared_folder(studio, folder, "Generated " + names.name, starting_template_path(studio, one), [=](const JobControl& control) {
-    return !write_collection(names.name, options, folder, control).cancelled;
-  });
+  open_prepared_folder(studio, folder, "Generated " + names.name, starting_template_path(studio, one),
+                       [=](const JobControl& control) {
+                         return !write_collection(names.name, options, folder, control).cancelled;
+                       });
 }
 
 std::vector<std::string> starting_templates(const Studio& studio) {

@@ -11,12 +11,12 @@ namespace archetype {
 
 struct Studio;
 
-// Opens whatever the path is: a folder of shapes, a project, a template, or a shape that is added to the collection.
-// Throws Error if it is none of these.
+// Opens whatever the path is: a folder of shapes, a project, a template, or a shape that is added to the
+// collection. Throws Error if it is none of these.
 void open_path(Studio& studio, const std::filesystem::path& path);
 
-// An untitled project that belongs to the folder; what was imported from it before is there at once, and what is new
-// is read beside.
+// An untitled project that belongs to the folder; what was imported from it before is there at once, and what
+// is new is read beside.
 void open_folder(Studio& studio, const std::filesystem::path& folder);
 void open_project(Studio& studio, const std::filesystem::path& path);
 void add_shapes(Studio& studio, const std::vector<std::filesystem::path>& paths);
@@ -27,8 +27,8 @@ void save_project_as(Studio& studio, const std::filesystem::path& path);
 // The active template on every shape; results come into the grid as they are made.
 void fit_all(Studio& studio);
 
-// Extracts the seats of Sweet Home 3D from Debian's package once, then opens them. A message says what to install
-// where the package is missing.
+// Extracts the seats of Sweet Home 3D from Debian's package once, then opens them. A message says what to
+// install where the package is missing.
 void open_seats(Studio& studio);
 // Makes a collection with ground truth among the program's own files and opens it.
 void open_generated(Studio& studio, const std::string& family, std::size_t count);

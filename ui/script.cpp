@@ -8,7 +8,9 @@
 namespace archetype {
 namespace {
 
-std::string place(int line) { return "line " + std::to_string(line); }
+std::string place(int line) {
+  return "line " + std::to_string(line);
+}
 
 std::vector<std::string> split(std::string_view line, const std::filesystem::path& name, int number) {
   std::vector<std::string> words;
@@ -42,7 +44,8 @@ std::vector<ScriptLine> parse_script(std::string_view text, const std::filesyste
   return lines;
 }
 
-void check_script(const Studio& studio, const std::vector<ScriptLine>& lines, const std::filesystem::path& name) {
+void check_script(const Studio& studio, const std::vector<ScriptLine>& lines,
+                  const std::filesystem::path& name) {
   for (const ScriptLine& line : lines)
     if (!find_command(studio, line.words[0]))
       throw InputError(name, place(line.number),

@@ -12,7 +12,7 @@ namespace archetype {
 struct Studio;
 
 struct ScriptLine {
-  int number = 0;  // in the file, from 1
+  int number = 0;                  // in the file, from 1
   std::vector<std::string> words;  // the command's name first
 };
 
@@ -20,7 +20,8 @@ struct ScriptLine {
 std::vector<ScriptLine> parse_script(std::string_view text, const std::filesystem::path& name);
 
 // Every command has to be there before the first one is run. Throws InputError with the line.
-void check_script(const Studio& studio, const std::vector<ScriptLine>& lines, const std::filesystem::path& name);
+void check_script(const Studio& studio, const std::vector<ScriptLine>& lines,
+                  const std::filesystem::path& name);
 
 struct Script {
   std::filesystem::path name;
@@ -30,8 +31,8 @@ struct Script {
   bool over() const { return next >= lines.size(); }
 };
 
-// Once a frame: runs the next command if it need not wait for what is under way. Throws InputError with the line
-// if it fails.
+// Once a frame: runs the next command if it need not wait for what is under way. Throws InputError with the
+// line if it fails.
 void advance(Script& script, Studio& studio);
 
 }  // namespace archetype

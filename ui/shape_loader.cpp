@@ -12,7 +12,8 @@ void read_faces(ShapeInView& shape) {
   try {
     ShapeFile file = read_shape(shape.record->path);
     if (file.hash != shape.record->hash)
-      shape.problem = shape.record->path.string() + " was changed since it was imported; import its folder again";
+      shape.problem =
+          shape.record->path.string() + " was changed since it was imported; import its folder again";
     else
       shape.mesh = std::make_shared<const PolygonMesh>(std::move(file.mesh));
   } catch (const Error& error) {

@@ -18,8 +18,8 @@ struct LoadedShape {
   ShapeInView shape;  // without revisions
 };
 
-// Samples from the project, faces from the file. A file that is gone or was changed is a problem, not an error: the
-// shape is shown by its samples then.
+// Samples from the project, faces from the file. A file that is gone or was changed is a problem, not an
+// error: the shape is shown by its samples then.
 std::optional<LoadedShape> load_shape(const LoadShapeRequest& request, const JobControl& control);
 
 using ShapeLoader = LatestWorker<LoadShapeRequest, LoadedShape>;

@@ -44,8 +44,8 @@ void drop_fit(Studio& studio) {
   ++studio.shape.fit_revision;
 }
 
-// Asks for the fit of what is shown now, once for each state. The end of a drag is a state of its own: then all yaws
-// are tried.
+// Asks for the fit of what is shown now, once for each state. The end of a drag is a state of its own: then
+// all yaws are tried.
 void ask_for_fit(Studio& studio) {
   const Document& document = studio.history.current();
   const PartTemplate* active = document.active_template();
@@ -89,7 +89,8 @@ void follow_rows(Studio& studio) {
   if (std::optional<CollectionRows> rows = studio.rows_reader.poll()) {
     studio.collection.content = std::move(*rows);
     ++studio.collection.revision;
-    if (!studio.ui.shape && !studio.collection.rows().empty()) show_shape(studio, studio.collection.rows()[0].id);
+    if (!studio.ui.shape && !studio.collection.rows().empty())
+      show_shape(studio, studio.collection.rows()[0].id);
   }
   if (!studio.collection.open() || studio.jobs.idle()) return;
   if (Clock::now() - studio.rows_asked_at < std::chrono::milliseconds(500)) return;
@@ -113,11 +114,13 @@ void autosave(Studio& studio) {
 Studio::Studio(StudioOptions given)
     : options(std::move(given)),
       commands(all_commands()),
+      viewport(options.shaders),
       shape_loader(load_shape, options.wake),
       rows_reader(reread_rows, options.wake),
       document_saver(save_document, options.wake),
       directory_reader(list_directory, options.wake),
       live_fit(options.wake),
+      thumbnails(options.shaders, options.wake),
       jobs(options.wake) {}
 
 void begin_frame(Studio& studio) {
@@ -127,6 +130,7 @@ void begin_frame(Studio& studio) {
     if (studio.collection.open()) studio.rows_reader.request(studio.collection.path, false);
   }
   if (auto listing = studio.directory_reader.poll()) studio.directory = std::move(listing);
+  studio.thumbnails.begin_frame();
   follow_rows(studio);
   take_over_shape(studio);
   take_over_fit(studio);
@@ -138,6 +142,7 @@ void end_frame(Studio& studio) {
   note_edit(studio);
   keep_selection_valid(studio);
   ask_for_fit(studio);
+  studio.thumbnails.end_frame(studio.collection.path);
   autosave(studio);
 }
 
@@ -147,14 +152,19 @@ void frame_shown(Studio& studio) {
 }
 
 bool settled(const Studio& studio) {
-  return !studio.drag && !studio.wanted_picture && studio.jobs.idle() && studio.shape_loader.idle() && studio.live_fit.worker.idle() &&
-         studio.rows_reader.idle() && studio.document_saver.idle() && !studio.live_fit.newly_shown &&
+  return !studio.drag && !studio.wanted_picture && studio.jobs.idle() && studio.shape_loader.idle() &&
+         studio.live_fit.worker.idle() && studio.rows_reader.idle() && studio.document_saver.idle() &&
+         studio.thumbnails.idle() && !studio.live_fit.newly_shown &&
          studio.live_fit.asked_shape == studio.shape.shape_revision;
 }
 
-bool wants_frames(const Studio& studio) { return !settled(studio); }
+bool wants_frames(const Studio& studio) {
+  return !settled(studio);
+}
 
-const Palette& colours(const Studio& studio) { return palette(studio.theme); }
+const Palette& colours(const Studio& studio) {
+  return palette(studio.theme);
+}
 
 void show_shape(Studio& studio, std::optional<ShapeId> shape) {
   if (studio.ui.shape == shape && shape) return;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/session/furniture_catalog.h"
 #include "core/session/history.h"
 #include "core/session/jobs.h"
 #include "core/session/messages.h"
@@ -15,27 +16,36 @@
 #include "core/session/user_folders.h"
 #include "ui/collection.h"
 #include "ui/command.h"
-#include "core/session/furniture_catalog.h"
 #include "ui/directory_reader.h"
 #include "ui/fonts.h"
+#include "ui/keys.h"
 #include "ui/latency.h"
 #include "ui/live_fit.h"
 #include "ui/scripted_drag.h"
 #include "ui/shape_in_view.h"
 #include "ui/shape_loader.h"
 #include "ui/theme.h"
+#include "ui/thumbnail_store.h"
 #include "ui/ui_state.h"
+#include "ui/viewport.h"
 
 namespace archetype {
 
 struct StudioOptions {
   UserFolders folders;
-  std::filesystem::path assets;     // templates/*.json
+  std::filesystem::path assets;  // templates/*.json
   std::filesystem::path shaders;
   std::filesystem::path furniture = furniture_folder;  // the archives of the bundled collection
   std::function<void()> wake = {};  // brings the window's loop to draw a frame; called from other threads
 };
 
+// Where something stands in the window that can be clicked; for tests and scripts.
+struct Target {
+  std::string name;
+  float low_x, low_y, high_x, high_y;  // screen units
+};
+
+// Made and destroyed with the window's OpenGL context current: it holds textures.
 struct Studio {
   explicit Studio(StudioOptions options);
 
@@ -51,8 +61,11 @@ struct Studio {
   ShapeInView shape;
   std::vector<Credit> credits;  // of the shapes of the open collection, where they are known
   Messages messages;
+  ViewportState viewport;
   LatencyMeter latency;
-  std::vector<std::string> output;  // lines of commands for standard output; the program prints and clears them
+  std::vector<Target> targets;  // of the frame drawn last
+  std::vector<std::string>
+      output;  // lines of commands for standard output; the program prints and clears them
   std::optional<std::filesystem::path> wanted_picture;  // of the whole window, once the next frame is drawn
   bool wanted_fonts = true;  // the fonts have to be loaded anew before the next frame
   std::optional<ScriptedDrag> drag;
@@ -64,11 +77,12 @@ struct Studio {
   DocumentSaver document_saver;
   DirectoryReader directory_reader;
   LiveFit live_fit;
+  ThumbnailStore thumbnails;
   Jobs jobs;
 
-  std::optional<DirectoryListing> directory;      // of the file browser
-  std::uint64_t saved_revision = 0;               // of the history, as it was last handed to the saver
-  std::uint64_t edited_revision = 0;              // the newest edit that was noted
+  std::optional<DirectoryListing> directory;  // of the file browser
+  std::uint64_t saved_revision = 0;           // of the history, as it was last handed to the saver
+  std::uint64_t edited_revision = 0;          // the newest edit that was noted
   std::chrono::steady_clock::time_point edited_at{};
   std::chrono::steady_clock::time_point rows_asked_at{};
   std::chrono::steady_clock::time_point frame_start{};

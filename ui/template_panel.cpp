@@ -12,8 +12,10 @@ namespace archetype {
 namespace {
 
 void draw_empty(Studio& studio) {
-  muted_paragraph(studio, "A template says which parts a shape has: boxes with a mean place and size and how much each "
-                          "varies. Start from one that is there, or from nothing.");
+  muted_paragraph(
+      studio,
+      "A template says which parts a shape has: boxes with a mean place and size and how much each "
+      "varies. Start from one that is there, or from nothing.");
   const std::vector<std::string> names = starting_templates(studio);
   const float width = share_of_width(2);
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -41,12 +41,18 @@ ImVec4 with_alpha(ImVec4 colour, float alpha) {
 
 }  // namespace
 
-Theme parse_theme(std::string_view name) { return name == "light" ? Theme::light : Theme::dark; }
+Theme parse_theme(std::string_view name) {
+  return name == "light" ? Theme::light : Theme::dark;
+}
 
-const Palette& palette(Theme theme) { return theme == Theme::light ? light : dark; }
+const Palette& palette(Theme theme) {
+  return theme == Theme::light ? light : dark;
+}
 
 ImVec4 severity_colour(const Palette& colours, Severity severity) {
-  return severity == Severity::error ? colours.error : severity == Severity::warning ? colours.warning : colours.muted;
+  return severity == Severity::error     ? colours.error
+         : severity == Severity::warning ? colours.warning
+                                         : colours.muted;
 }
 
 void apply_theme(Theme theme, float scale) {

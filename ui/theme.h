@@ -15,15 +15,15 @@ Theme parse_theme(std::string_view name);  // "light"; anything else is dark
 
 // The colours that panels ask for by meaning. The rest of Dear ImGui's colours are derived from them.
 struct Palette {
-  ImVec4 back;      // behind everything
+  ImVec4 back;  // behind everything
   ImVec4 panel;
-  ImVec4 raised;    // fields, buttons, cells
+  ImVec4 raised;  // fields, buttons, cells
   ImVec4 hovered;
   ImVec4 border;
   ImVec4 text;
-  ImVec4 muted;     // secondary text
-  ImVec4 accent;    // what is selected or running
-  ImVec4 on_accent; // text on it
+  ImVec4 muted;      // secondary text
+  ImVec4 accent;     // what is selected or running
+  ImVec4 on_accent;  // text on it
   ImVec4 good;
   ImVec4 warning;
   ImVec4 error;

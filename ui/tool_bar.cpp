@@ -33,7 +33,7 @@ void draw_tool_bar(Studio& studio) {
   command_toggle(studio, "tool-rotate", std::string(icon::rotate) + " Rotate");
   gap(studio);
   const std::pair<const char*, const char*> toggles[] = {
-      {"surface", "Surface"}, {"wireframe", "Wires"}, {"points", "Points"},      {"part-colours", "Colours"},
+      {"surface", "Surface"}, {"wireframe", "Wires"},     {"points", "Points"},   {"part-colours", "Colours"},
       {"boxes", "Boxes"},     {"fitted-boxes", "Fitted"}, {"part-names", "Names"}};
   for (const auto& [command, label] : toggles) {
     command_toggle(studio, command, label);

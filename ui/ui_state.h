@@ -62,7 +62,7 @@ struct FileBrowserState {
   bool open = false;
   bool newly_open = false;
   std::filesystem::path folder;
-  std::string typed;   // the field: a name in the folder, or a path
+  std::string typed;  // the field: a name in the folder, or a path
   bool asked_to_replace = false;
 };
 

@@ -112,7 +112,8 @@ std::string fitted(const std::string& text, float width) {
   std::string cut = text;
   while (!cut.empty()) {
     cut.pop_back();
-    while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xc0) == 0x80) cut.pop_back();  // whole letters
+    while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xc0) == 0x80)
+      cut.pop_back();  // whole letters
     const std::string shown = cut + "…";
     if (ImGui::CalcTextSize(shown.c_str()).x <= width) return shown;
   }
@@ -135,7 +136,8 @@ std::string count_text(std::size_t count) {
 
 float share_of_width(int columns) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
-  return std::floor((ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+  return std::floor((ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) /
+                    static_cast<float>(columns));
 }
 
 }  // namespace archetype

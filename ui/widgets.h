@@ -15,8 +15,8 @@ struct Studio;
 // Records the item drawn last under a name, so that tests and scripts can find it and really click it.
 void mark_target(Studio& studio, std::string name);
 
-// A button for a command: greyed out with the reason as a tooltip where it cannot be used; else its title and key.
-// `label` may hold an icon. Marked as "command:NAME".
+// A button for a command: greyed out with the reason as a tooltip where it cannot be used; else its title and
+// key. `label` may hold an icon. Marked as "command:NAME".
 bool command_button(Studio& studio, std::string_view name, const std::string& label, ImVec2 size = {0, 0});
 // The same, drawn pressed while the command's switch is on.
 bool command_toggle(Studio& studio, std::string_view name, const std::string& label);
@@ -32,8 +32,8 @@ void tooltip(const char* text);  // of the item drawn last, also when it is disa
 
 // A text cut to a width with "…" at its end.
 std::string fitted(const std::string& text, float width);
-std::string duration_text(double seconds);   // "8 s", "3 min 20 s", "1 h 5 min"
-std::string count_text(std::size_t count);   // "12,345"
+std::string duration_text(double seconds);  // "8 s", "3 min 20 s", "1 h 5 min"
+std::string count_text(std::size_t count);  // "12,345"
 
 // Buttons in a row as wide as the panel.
 float share_of_width(int columns);

@@ -25,7 +25,8 @@ Document parse_document(std::string_view text, const std::filesystem::path& name
     throw InputError(name, "", "expected the templates that were being edited");
   Document document;
   for (const Json& part_template : json["templates"])
-    document.templates.push_back(std::make_shared<const PartTemplate>(parse_template(part_template.dump(), name)));
+    document.templates.push_back(
+        std::make_shared<const PartTemplate>(parse_template(part_template.dump(), name)));
   const Json active = json.value("active", Json(0));
   if (active.is_number_unsigned() && active.get<std::size_t>() < document.templates.size())
     document.active = active.get<std::size_t>();

@@ -1,7 +1,7 @@
 // Unpacks the seats of the furniture archives into a folder of OBJ files.
 #include <algorithm>
-#include <charconv>
 #include <cctype>
+#include <charconv>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -32,10 +32,12 @@ std::string file_name(const std::string& title) {
 }
 
 // "chair3" of "scopia/chair3/chair3.obj".
-std::string stem(const FurniturePiece& piece) { return fs::path(piece.model).stem().string(); }
+std::string stem(const FurniturePiece& piece) {
+  return fs::path(piece.model).stem().string();
+}
 
-// Titles that several pieces share get the name of the model added, so that each file has its own name whatever the
-// order.
+// Titles that several pieces share get the name of the model added, so that each file has its own name
+// whatever the order.
 std::vector<std::string> unique_names(const std::vector<FurniturePiece>& pieces) {
   std::map<std::string, int> count;
   for (const FurniturePiece& piece : pieces) ++count[file_name(piece.title)];
@@ -80,7 +82,8 @@ std::string turned(std::string_view obj, const std::array<double, 9>& rotation) 
       out += normal ? "vn" : "v";
       for (int row = 0; row < 3; ++row) {
         out += ' ';
-        append_number(out, rotation[3 * row] * v[0] + rotation[3 * row + 1] * v[1] + rotation[3 * row + 2] * v[2]);
+        append_number(out,
+                      rotation[3 * row] * v[0] + rotation[3 * row + 1] * v[1] + rotation[3 * row + 2] * v[2]);
       }
       out += '\n';
     } else {
@@ -92,13 +95,17 @@ std::string turned(std::string_view obj, const std::array<double, 9>& rotation) 
 }
 
 std::string one_line(std::string text) {
-  std::replace_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return text;
 }
 
 Json to_json(const Credit& credit) {
-  return {{"shape", credit.shape}, {"title", credit.title}, {"creator", credit.creator},
-          {"licence", credit.licence}, {"source", credit.source}};
+  return {{"shape", credit.shape},
+          {"title", credit.title},
+          {"creator", credit.creator},
+          {"licence", credit.licence},
+          {"source", credit.source}};
 }
 
 }  // namespace
@@ -138,7 +145,8 @@ bool extract_seats(const fs::path& furniture, const fs::path& target, const JobC
     bytes_left -= obj.size();
     const std::string header = "# " + one_line(piece.title) + ", by " + one_line(piece.creator) + "\n# " +
                                one_line(piece.source) + ", " + one_line(piece.licence) + "\n";
-    replace_file(target / (names[i] + ".obj"), header + (piece.rotation == upright ? obj : turned(obj, piece.rotation)));
+    replace_file(target / (names[i] + ".obj"),
+                 header + (piece.rotation == upright ? obj : turned(obj, piece.rotation)));
     credits.push_back(to_json({names[i], piece.title, piece.creator, piece.licence, piece.source}));
   }
   replace_file(target / "credits.json", credits.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
@@ -152,11 +160,12 @@ std::vector<Credit> read_credits(const fs::path& folder) {
   const Json json = Json::parse(read_file(path, max_catalogue_bytes), nullptr, false);
   if (!json.is_array()) throw InputError(path, "", "expected a list of credits");
   const auto text = [](const Json& entry, const char* key) {
-    return entry.is_object() && entry.contains(key) && entry[key].is_string() ? entry[key].get<std::string>() : "";
+    return entry.is_object() && entry.contains(key) && entry[key].is_string() ? entry[key].get<std::string>()
+                                                                              : "";
   };
   for (const Json& entry : json)
-    credits.push_back({text(entry, "shape"), text(entry, "title"), text(entry, "creator"), text(entry, "licence"),
-                       text(entry, "source")});
+    credits.push_back({text(entry, "shape"), text(entry, "title"), text(entry, "creator"),
+                       text(entry, "licence"), text(entry, "source")});
   return credits;
 }
 

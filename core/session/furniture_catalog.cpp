@@ -52,7 +52,8 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-std::array<double, 9> parse_rotation(std::string_view text, const std::string& id, const std::filesystem::path& name) {
+std::array<double, 9> parse_rotation(std::string_view text, const std::string& id,
+                                     const std::filesystem::path& name) {
   std::array<double, 9> rotation{};
   const char* at = text.data();
   const char* const end = at + text.size();
@@ -66,11 +67,14 @@ std::array<double, 9> parse_rotation(std::string_view text, const std::string& i
   return rotation;
 }
 
-bool holds(const std::string& text, std::string_view word) { return text.find(word) != std::string::npos; }
+bool holds(const std::string& text, std::string_view word) {
+  return text.find(word) != std::string::npos;
+}
 
 }  // namespace
 
-std::vector<FurniturePiece> parse_furniture_catalog(std::string_view text, const std::filesystem::path& name) {
+std::vector<FurniturePiece> parse_furniture_catalog(std::string_view text,
+                                                    const std::filesystem::path& name) {
   std::map<std::string, std::string> catalogue;
   std::map<int, std::map<std::string, std::string>> pieces;
   while (!text.empty()) {
@@ -101,7 +105,8 @@ std::vector<FurniturePiece> parse_furniture_catalog(std::string_view text, const
     piece.model = values["model"];
     if (!piece.model.empty() && piece.model[0] == '/') piece.model.erase(0, 1);
     if (piece.model.empty() || piece.title.empty()) continue;
-    if (!values["modelRotation"].empty()) piece.rotation = parse_rotation(values["modelRotation"], piece.id, name);
+    if (!values["modelRotation"].empty())
+      piece.rotation = parse_rotation(values["modelRotation"], piece.id, name);
     listed.push_back(std::move(piece));
   }
   return listed;

@@ -13,8 +13,8 @@
 
 namespace archetype {
 
-// What runs is finished rather than cancelled when a newer request comes: under a stream of edits faster than the
-// work (a drag) something must come out. A request that makes the running one worthless says so.
+// What runs is finished rather than cancelled when a newer request comes: under a stream of edits faster than
+// the work (a drag) something must come out. A request that makes the running one worthless says so.
 //
 // request() and poll() are for one thread. `work` must not throw; a cancelled one returns nothing.
 template <typename Request, typename Result>
@@ -24,7 +24,9 @@ class LatestWorker {
 
   // `wake` is called from the worker's thread whenever poll() has a result.
   LatestWorker(Work work, std::function<void()> wake)
-      : work_(std::move(work)), wake_(std::move(wake)), thread_([this](std::stop_token stop) { run(stop); }) {}
+      : work_(std::move(work)),
+        wake_(std::move(wake)),
+        thread_([this](std::stop_token stop) { run(stop); }) {}
   LatestWorker(const LatestWorker&) = delete;
   LatestWorker& operator=(const LatestWorker&) = delete;
   ~LatestWorker() {

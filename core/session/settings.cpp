@@ -53,7 +53,9 @@ std::vector<Field> fields() {
   };
 }
 
-std::string range(double low, double high) { return Json(low).dump() + " to " + Json(high).dump(); }
+std::string range(double low, double high) {
+  return Json(low).dump() + " to " + Json(high).dump();
+}
 
 // What is wrong with the value, or "".
 std::string assign(Settings& settings, const Field& field, const Json& value) {
@@ -61,7 +63,8 @@ std::string assign(Settings& settings, const Field& field, const Json& value) {
   if (const auto* choice = std::get_if<Choice>(&field.kind)) {
     if (!value.is_string()) return name + " has to be a text";
     const std::string text = value.get<std::string>();
-    if (!choice->values.empty() && std::find(choice->values.begin(), choice->values.end(), text) == choice->values.end()) {
+    if (!choice->values.empty() &&
+        std::find(choice->values.begin(), choice->values.end(), text) == choice->values.end()) {
       std::string expected;
       for (const std::string& known : choice->values) expected += (expected.empty() ? "" : ", ") + known;
       return name + " has to be one of " + expected;
@@ -109,7 +112,8 @@ LoadedSettings load_settings(const std::filesystem::path& path) {
     if (!wrong.empty()) loaded.problem = path.string() + ": " + wrong + "; the default is used";
   } catch (const std::exception& error) {
     loaded.settings = {};
-    loaded.problem = path.string() + ": the settings cannot be read and start from the defaults (" + error.what() + ")";
+    loaded.problem =
+        path.string() + ": the settings cannot be read and start from the defaults (" + error.what() + ")";
   }
   return loaded;
 }

@@ -20,10 +20,11 @@ struct Settings {
   double right_width = 340;  // of the inspector
   double bottom_height = 170;
   bool show_bottom = true;
-  double cell_size = 112;                  // of the thumbnails
-  std::vector<std::string> recent;         // projects and folders, newest first
-  std::string last_folder;                 // of the file browser
-  std::map<std::string, std::string> keys;  // command name -> key, where it differs from the default; "" is none
+  double cell_size = 112;           // of the thumbnails
+  std::vector<std::string> recent;  // projects and folders, newest first
+  std::string last_folder;          // of the file browser
+  std::map<std::string, std::string>
+      keys;  // command name -> key, where it differs from the default; "" is none
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };
@@ -38,7 +39,8 @@ LoadedSettings load_settings(const std::filesystem::path& path);
 // Makes the folder and replaces the file in one step. Throws FileError.
 void save_settings(const std::filesystem::path& path, const Settings& settings);
 
-// For `--set name=value` and the command `set`: everything but the lists. Returns what is wrong with it, or "".
+// For `--set name=value` and the command `set`: everything but the lists. Returns what is wrong with it, or
+// "".
 std::string set_setting(Settings& settings, std::string_view name, std::string_view value);
 std::vector<std::string> setting_names();
 

@@ -12,8 +12,8 @@ struct UserFolders {
   std::filesystem::path cache;   // what can be made again
 };
 
-// From XDG_CONFIG_HOME, XDG_DATA_HOME, XDG_CACHE_HOME and HOME; relative values are ignored, as the specification
-// asks. Makes no folder.
+// From XDG_CONFIG_HOME, XDG_DATA_HOME, XDG_CACHE_HOME and HOME; relative values are ignored, as the
+// specification asks. Makes no folder.
 UserFolders user_folders();
 
 }  // namespace archetype

@@ -15,7 +15,9 @@ struct CloseMember {
 
 }  // namespace
 
-void ZipArchive::Close::operator()(struct zip* archive) const { zip_discard(archive); }
+void ZipArchive::Close::operator()(struct zip* archive) const {
+  zip_discard(archive);
+}
 
 ZipArchive::ZipArchive(const std::filesystem::path& path) : path_(path) {
   int code = 0;
@@ -25,7 +27,8 @@ ZipArchive::ZipArchive(const std::filesystem::path& path) : path_(path) {
   zip_error_init_with_code(&error, code);
   const std::string reason = zip_error_strerror(&error);
   zip_error_fini(&error);
-  if (code == ZIP_ER_NOZIP || code == ZIP_ER_INCONS) throw InputError(path, "", "no zip archive (" + reason + ")");
+  if (code == ZIP_ER_NOZIP || code == ZIP_ER_INCONS)
+    throw InputError(path, "", "no zip archive (" + reason + ")");
   throw FileError(path, reason);
 }
 
@@ -43,7 +46,8 @@ std::string ZipArchive::read(const std::string& member, std::uint64_t max_bytes)
     if (count < 0) throw InputError(path_, member, "damaged");
     if (count == 0) return content;
     if (content.size() + static_cast<std::uint64_t>(count) > max_bytes)
-      throw InputError(path_, member, "holds more than the " + std::to_string(max_bytes) + " bytes expected at most");
+      throw InputError(path_, member,
+                       "holds more than the " + std::to_string(max_bytes) + " bytes expected at most");
     content.append(block.data(), static_cast<std::size_t>(count));
   }
 }

@@ -14,8 +14,8 @@ class ZipArchive {
   explicit ZipArchive(const std::filesystem::path& path);
 
   bool contains(const std::string& member) const;
-  // The whole member, unpacked. Throws InputError if it is not there, is damaged, or holds more than `max_bytes`:
-  // what the archive promises is not believed.
+  // The whole member, unpacked. Throws InputError if it is not there, is damaged, or holds more than
+  // `max_bytes`: what the archive promises is not believed.
   std::string read(const std::string& member, std::uint64_t max_bytes) const;
 
  private:
