@@ -84,6 +84,10 @@ void keep_selection_valid(Studio& studio) {
   if (studio.ui.part && (!active || *studio.ui.part >= active->parts.size())) studio.ui.part.reset();
 }
 
+Navigation parse_navigation(const std::string& name) {
+  return name == "blender" ? Navigation::blender : name == "maya" ? Navigation::maya : Navigation::archetype;
+}
+
 // While something writes to the project, its rows are read anew twice a second.
 void follow_rows(Studio& studio) {
   if (std::optional<CollectionRows> rows = studio.rows_reader.poll()) {
@@ -125,6 +129,7 @@ Studio::Studio(StudioOptions given)
 
 void begin_frame(Studio& studio) {
   studio.frame_start = Clock::now();
+  studio.ui.navigation = parse_navigation(studio.settings.navigation);
   for (const JobView& ended : studio.jobs.poll()) {
     if (ended.state == JobState::failed) say(studio, Severity::error, ended.title + ": " + ended.error);
     if (studio.collection.open()) studio.rows_reader.request(studio.collection.path, false);

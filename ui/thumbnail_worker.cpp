@@ -15,7 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* plain_kind = "surface";
-constexpr const char* parts_kind = "parts";  // a project forgets these when the fit of the shape changes
 
 class ThumbnailMaker {
  public:
@@ -23,7 +22,7 @@ class ThumbnailMaker {
 
   Picture make(const fs::path& path, const WantedThumbnail& wanted) {
     if (!project_ || project_->path() != path) project_.emplace(Project::open(path));
-    const std::string kind = wanted.stamp == 0 ? plain_kind : parts_kind;
+    const std::string kind = wanted.stamp == 0 ? std::string(plain_kind) : std::string(parts_thumbnail);
     if (const auto kept = project_->thumbnail(wanted.shape, kind); kept && kept->width == thumbnail_size)
       return *kept;
     Picture picture = draw(wanted);

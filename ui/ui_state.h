@@ -24,10 +24,12 @@ struct ViewOptions {
   bool ground = true;
   bool orthographic = false;
   SurfaceColour colour = SurfaceColour::part;
+  friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
 };
 
 enum class CameraView { front, back, left, right, top, bottom, home };
 enum class BoxTool { move, scale, rotate };
+enum class Navigation { archetype, blender, maya };  // which buttons orbit, pan and zoom
 
 struct GridState {
   std::string filter;
@@ -73,6 +75,8 @@ struct UiState {
   std::optional<std::size_t> part;  // the selected part of the active template
   ViewOptions view;
   BoxTool tool = BoxTool::move;
+  std::optional<int> drag_axis;  // of the box, 0 to 2: the drag under way keeps to it (X, Y, Z)
+  Navigation navigation = Navigation::archetype;  // that of the settings
   // Wishes of commands to the viewport, which clears them once it has followed.
   std::optional<CameraView> wanted_view;
   bool wanted_frame = false;  // frame the selected box, or the shape where none is selected

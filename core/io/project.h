@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/hash.h"
@@ -14,6 +15,8 @@
 #include "core/model/shape_fit.h"
 
 namespace archetype {
+
+class WriteScope;
 
 using ShapeId = std::int64_t;
 using TemplateId = std::int64_t;
@@ -30,6 +33,10 @@ struct ShapeRecord {
   bool point_set = false;
   ShapeFrame frame;
   double radius = 0;  // R, normalised units
+  // How it was sampled, so that an import of the same file with the same options can leave it alone.
+  int requested_points = 1000;
+  std::uint64_t seed = 1;
+  bool up_decided = false;  // `up` was decided over the collection (`auto`), not given
 };
 
 struct RefusedInput {
@@ -38,6 +45,7 @@ struct RefusedInput {
 };
 
 enum class FitStatus { fitted, learned, outlier };
+std::string_view to_string(FitStatus status);
 
 // The best template of a shape and its fit.
 struct FitRecord {
@@ -45,6 +53,7 @@ struct FitRecord {
   TemplateId part_template = 0;
   FitStatus status = FitStatus::fitted;
   ShapeFit fit;
+  ContentHash state;  // of the templates and options that it is the best fit of; another one: out of date
 };
 
 // The same without samples' labels and boxes, for tables of ten thousand rows.
@@ -54,6 +63,8 @@ struct FitSummary {
   FitStatus status = FitStatus::fitted;
   int yaw_quarters = 0;
   FitEnergy energy;
+  ContentHash state;        // as in FitRecord
+  bool has_labels = false;  // the file's elements are labelled by this fit
 };
 
 struct TemplateRecord {
@@ -65,6 +76,9 @@ struct TemplateRecord {
 };
 
 using Thumbnail = Picture;
+
+// The kind of a thumbnail that shows a shape's fit.
+inline constexpr std::string_view parts_thumbnail = "parts";
 
 // One connection. Use one object per thread; several, also in several processes, may have the same file open.
 // Every writing function is one transaction unless a Transaction is open. All throw FileError for a full disk
@@ -84,19 +98,21 @@ class Project {
   ~Project();
 
   const std::filesystem::path& path() const;
+  // A copy of all that is committed, also while others write; throws FileError if the path exists.
+  void copy_to(const std::filesystem::path& path) const;
 
-  // Groups writes: all or nothing. Rolls back unless commit() was called.
+  // Groups writes: all or nothing. Rolls back unless commit() was called. One inside another is part of the
+  // outer.
   class Transaction {
    public:
     explicit Transaction(Project& project);
     Transaction(const Transaction&) = delete;
     Transaction& operator=(const Transaction&) = delete;
     ~Transaction();
-    void commit();
+    void commit();  // throws FileError (disk full): nothing of it is in the file then
 
    private:
-    Project* project_;
-    bool open_ = true;
+    std::unique_ptr<WriteScope> scope_;
   };
 
   // Shapes, ordered by name (bytewise), whatever the order of import.
@@ -112,6 +128,7 @@ class Project {
   ShapeSamples samples(ShapeId id) const;
 
   void set_refused(const std::vector<RefusedInput>& refused);  // replaces entries of the same path
+  void forget_refused(const std::vector<std::filesystem::path>& paths);
   std::vector<RefusedInput> refused() const;
 
   std::vector<TemplateRecord> templates(bool current_only = true) const;
@@ -120,15 +137,17 @@ class Project {
   // Makes exactly these the current set, in this order.
   void set_current_templates(const std::vector<TemplateId>& ids);
 
-  void store_fit(const FitRecord& record);  // replaces the shape's fit
+  // Replaces the shape's fit; its labels and the picture of its parts, which came from the old one, go.
+  void store_fit(const FitRecord& record);
   std::optional<FitRecord> fit(ShapeId id) const;
   std::vector<FitSummary> fits() const;  // ordered as shapes()
-  void clear_fits();
+  void clear_fits();                     // and the labels
 
   // The part index of every element of the file, as label_elements() gives them.
   void store_labels(ShapeId id, const std::vector<std::int16_t>& labels);
   std::optional<std::vector<std::int16_t>> labels(ShapeId id) const;
 
+  // `kind` is free but for parts_thumbnail.
   void store_thumbnail(ShapeId id, const std::string& kind, const Thumbnail& thumbnail);
   std::optional<Thumbnail> thumbnail(ShapeId id, const std::string& kind) const;
   void clear_thumbnails(const std::string& kind);

@@ -1,0 +1,190 @@
+// Opens SQLite databases defensively and turns its error codes into exceptions.
+#include "core/io/project_database.h"
+
+#include <sqlite3.h>
+
+#include "core/base/error.h"
+
+namespace archetype {
+
+namespace {
+
+constexpr int longest_value = 512 * 1024 * 1024;  // bytes; labels of 250 million faces
+constexpr int wait_for_lock = 10'000;             // milliseconds
+
+std::string advice(int code) {
+  switch (code & 0xff) {
+    case SQLITE_FULL:
+      return "the disk is full; what was committed before is safe: free some space and run the same again";
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return "another program is writing to it; wait for that to end and try again";
+    case SQLITE_NOTADB:
+      return "is not an Archetype project (not an SQLite database); choose another file";
+    case SQLITE_CORRUPT:
+      return "is damaged (broken SQLite pages); restore it from a copy or import the shapes into a new "
+             "project";
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+      return "cannot be written; check the permissions of the file and of its folder";
+    case SQLITE_CANTOPEN:
+      return "cannot be opened; check that its folder exists and that you may write there";
+    case SQLITE_IOERR:
+      return "the disk could not be read or written; what was committed before is safe: check the disk";
+    case SQLITE_TOOBIG:
+      return "holds a value larger than any project has; restore it from a copy";
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+Database::Database(const std::filesystem::path& path, Mode mode) : path_(path) {
+  const int flags =
+      SQLITE_OPEN_READWRITE | (mode == Mode::open ? 0 : SQLITE_OPEN_CREATE) | SQLITE_OPEN_EXRESCODE;
+  const std::string name = mode == Mode::memory ? ":memory:" : path.string();
+  if (sqlite3_open_v2(name.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
+    const int code = handle_ == nullptr ? SQLITE_NOMEM : sqlite3_extended_errcode(handle_);
+    sqlite3_close_v2(handle_);
+    throw FileError(path_, advice(code).empty() ? sqlite3_errstr(code) : advice(code));
+  }
+  sqlite3_busy_timeout(handle_, wait_for_lock);
+  sqlite3_limit(handle_, SQLITE_LIMIT_LENGTH, longest_value);
+  sqlite3_db_config(handle_, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  sqlite3_db_config(handle_, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_db_config(handle_, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+  sqlite3_db_config(handle_, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+}
+
+Database::~Database() {
+  sqlite3_close_v2(handle_);
+}
+
+void Database::execute(const std::string& sql) {
+  if (sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail("");
+}
+
+std::int64_t Database::number(const std::string& sql) {
+  Statement statement(*this, sql);
+  return statement.step() ? statement.integer(0) : 0;
+}
+
+std::int64_t Database::last_row_id() const {
+  return sqlite3_last_insert_rowid(handle_);
+}
+
+bool Database::in_transaction() const {
+  return sqlite3_get_autocommit(handle_) == 0;
+}
+
+void Database::fail(const std::string& doing) const {
+  const std::string known = advice(sqlite3_extended_errcode(handle_));
+  const std::string what = known.empty() ? "is no usable project (" + std::string(sqlite3_errmsg(handle_)) +
+                                               "); restore it from a copy"
+                                         : known;
+  throw FileError(path_, doing.empty() ? what : doing + ": " + what);
+}
+
+void Database::fail_damaged(const std::string& what) const {
+  throw FileError(path_, what + "; the file is damaged: restore it from a copy or import the shapes again");
+}
+
+Statement::Statement(Database& database, std::string_view sql) : database_(database) {
+  check(sqlite3_prepare_v2(database.handle_, sql.data(), static_cast<int>(sql.size()), &handle_, nullptr));
+}
+
+Statement::~Statement() {
+  sqlite3_finalize(handle_);
+}
+
+void Statement::check(int code) {
+  if (code != SQLITE_OK) database_.fail("");
+}
+
+Statement& Statement::bind_integer(std::int64_t value) {
+  check(sqlite3_bind_int64(handle_, ++bound_, value));
+  return *this;
+}
+
+Statement& Statement::bind(double value) {
+  check(sqlite3_bind_double(handle_, ++bound_, value));
+  return *this;
+}
+
+Statement& Statement::bind(std::string_view text) {
+  check(sqlite3_bind_text64(handle_, ++bound_, text.empty() ? "" : text.data(), text.size(), SQLITE_TRANSIENT,
+                            SQLITE_UTF8));
+  return *this;
+}
+
+Statement& Statement::bind(std::span<const std::byte> blob) {
+  check(blob.empty() ? sqlite3_bind_zeroblob(handle_, ++bound_, 0)
+                     : sqlite3_bind_blob64(handle_, ++bound_, blob.data(), blob.size(), SQLITE_TRANSIENT));
+  return *this;
+}
+
+Statement& Statement::bind_null() {
+  check(sqlite3_bind_null(handle_, ++bound_));
+  return *this;
+}
+
+bool Statement::step() {
+  const int code = sqlite3_step(handle_);
+  if (code == SQLITE_ROW) return true;
+  if (code != SQLITE_DONE) database_.fail("");
+  return false;
+}
+
+void Statement::run() {
+  while (step()) {
+  }
+  sqlite3_reset(handle_);
+  bound_ = 0;
+}
+
+bool Statement::is_null(int column) const {
+  return sqlite3_column_type(handle_, column) == SQLITE_NULL;
+}
+
+std::int64_t Statement::integer(int column) const {
+  return sqlite3_column_int64(handle_, column);
+}
+
+double Statement::real(int column) const {
+  return sqlite3_column_double(handle_, column);
+}
+
+std::string Statement::text(int column) const {
+  const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(handle_, column));
+  return text == nullptr ? std::string()
+                         : std::string(text, static_cast<std::size_t>(sqlite3_column_bytes(handle_, column)));
+}
+
+std::vector<std::byte> Statement::blob(int column) const {
+  const auto* bytes = static_cast<const std::byte*>(sqlite3_column_blob(handle_, column));
+  return bytes == nullptr ? std::vector<std::byte>()
+                          : std::vector<std::byte>(bytes, bytes + sqlite3_column_bytes(handle_, column));
+}
+
+WriteScope::WriteScope(Database& database) : database_(database), owner_(!database.in_transaction()) {
+  if (owner_) database_.execute("BEGIN IMMEDIATE");
+}
+
+WriteScope::~WriteScope() {
+  // SQLite may have rolled back by itself, on a full disk for one.
+  if (!owner_ || !database_.in_transaction()) return;
+  try {
+    database_.execute("ROLLBACK");
+  } catch (const FileError&) {
+    // The connection is unusable; SQLite rolls back when the file is next opened.
+  }
+}
+
+void WriteScope::commit() {
+  if (!owner_) return;
+  database_.execute("COMMIT");
+  owner_ = false;
+}
+
+}  // namespace archetype

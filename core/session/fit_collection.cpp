@@ -1,0 +1,186 @@
+// Fits templates to the shapes of a project in parallel, labels their elements and commits in the order of
+// names.
+#include "core/session/fit_collection.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/evaluation/label_elements.h"
+#include "core/fitting/fit_template.h"
+#include "core/io/read_shape.h"
+#include "core/session/fit_state.h"
+#include "core/session/ordered_pipeline.h"
+
+namespace archetype {
+
+namespace {
+
+constexpr std::size_t batch_size = 16;  // shapes a transaction: what a killed run may have to do again
+
+// One shape on its way through.
+struct Work {
+  ShapeRecord shape;
+  ShapeSamples samples;
+  std::optional<ShapeFit> fit;
+  std::size_t part_template = 0;
+  bool fit_is_stored = false;  // by a run that could not label it
+  std::optional<std::vector<std::int16_t>> labels;
+  std::string refused;  // the reason, or empty
+  bool cancelled = false;
+};
+
+// The ids of the templates in the project, which has them as its current set afterwards.
+std::vector<TemplateId> store_templates(Project& project, const std::vector<PartTemplate>& templates) {
+  Project::Transaction transaction(project);
+  std::vector<TemplateRecord> current = project.templates();
+  std::vector<TemplateId> ids;
+  for (const PartTemplate& part_template : templates) {
+    const auto same = std::ranges::find(current, part_template, &TemplateRecord::part_template);
+    if (same != current.end()) {
+      ids.push_back(same->id);
+      current.erase(same);
+    } else {
+      TemplateRecord record;
+      record.part_template = part_template;
+      ids.push_back(project.add_template(record));
+    }
+  }
+  project.set_current_templates(ids);
+  transaction.commit();
+  return ids;
+}
+
+// Throws an Error that says why the elements cannot be labelled.
+std::vector<std::int16_t> label_file(const Work& work, const PartTemplate& part_template,
+                                     const FitOptions& options) {
+  const ShapeFile file = read_shape(work.shape.path);
+  if (file.hash != work.shape.hash || file.mesh.element_count() != work.shape.element_count) {
+    throw InputError(work.shape.path, "", "has changed since it was imported; import it again");
+  }
+  return label_elements(file.mesh, work.samples, part_template, *work.fit, options);
+}
+
+class FitRun {
+ public:
+  FitRun(Project& project, const std::vector<PartTemplate>& templates, const FitOptions& options,
+         const JobControl& control)
+      : project_(project), templates_(templates), options_(options), control_(control) {
+    stop_only_.stop = control.stop;
+  }
+
+  FitCollectionReport run(unsigned threads) {
+    state_ = fit_state(templates_, options_);
+    template_ids_ = store_templates(project_, templates_);
+    find_work();
+    ring_.resize(pipeline_window(threads));
+    const bool all = ordered_pipeline(todo_.size(), threads, control_, "fitting",
+                                      {.prepare = [this](std::size_t i) { load(i); },
+                                       .compute = [this](std::size_t i) { compute(slot(i)); },
+                                       .finish = [this](std::size_t i) { take(i); }});
+    commit();
+    report_.cancelled = report_.cancelled || !all;
+    return std::move(report_);
+  }
+
+ private:
+  Work& slot(std::size_t i) { return ring_[i % ring_.size()]; }
+
+  // Shapes without a fit of these templates and options, or without labels.
+  void find_work() {
+    std::vector<ShapeId> done;
+    for (const FitSummary& fit : project_.fits()) {
+      if (fit.state == state_ && fit.has_labels) done.push_back(fit.shape);
+    }
+    report_.kept = done.size();
+    std::ranges::sort(done);
+    for (const ShapeId id : project_.shape_ids()) {
+      if (!std::ranges::binary_search(done, id)) todo_.push_back(id);
+    }
+  }
+
+  void load(std::size_t i) {
+    Work& work = slot(i) = {};
+    work.shape = project_.find_shape(todo_[i]).value();
+    work.samples = project_.samples(todo_[i]);
+    std::optional<FitRecord> stored = project_.fit(todo_[i]);
+    if (!stored || stored->state != state_) return;
+    const auto id = std::ranges::find(template_ids_, stored->part_template);
+    if (id == template_ids_.end()) return;
+    work.fit = std::move(stored->fit);
+    work.part_template = static_cast<std::size_t>(id - template_ids_.begin());
+    work.fit_is_stored = true;
+  }
+
+  void compute(Work& work) const {
+    try {
+      if (!work.fit) find_best_fit(work);
+      work.cancelled = control_.cancelled();
+      if (!work.cancelled) work.labels = label_file(work, templates_[work.part_template], options_);
+    } catch (const std::exception& error) {
+      work.refused = error.what();
+    }
+  }
+
+  void find_best_fit(Work& work) const {
+    std::optional<ShapeFit> best;
+    for (std::size_t t = 0; t < templates_.size(); ++t) {
+      std::optional<ShapeFit> fit = fit_template(templates_[t], work.samples, options_, stop_only_);
+      if (!fit) return;
+      if (!std::isfinite(fit->energy.total())) throw NumericError("the fit has no finite energy");
+      if (best && fit->energy.total() >= best->energy.total()) continue;
+      best = std::move(fit);
+      work.part_template = t;
+    }
+    work.fit = std::move(best);
+  }
+
+  void take(std::size_t i) {
+    Work& work = slot(i);
+    if (!work.refused.empty()) report_.refused.push_back({work.shape.path, work.refused});
+    if (work.cancelled) {
+      report_.cancelled = true;
+      return;
+    }
+    if (!work.fit) return;
+    ++(work.fit_is_stored ? report_.kept : report_.fitted);
+    pending_.push_back(std::move(work));
+    if (pending_.size() >= batch_size) commit();
+  }
+
+  void commit() {
+    if (pending_.empty()) return;
+    Project::Transaction transaction(project_);
+    for (const Work& work : pending_) {
+      if (!work.fit_is_stored) {
+        project_.store_fit(
+            {work.shape.id, template_ids_[work.part_template], FitStatus::fitted, *work.fit, state_});
+      }
+      if (work.labels) project_.store_labels(work.shape.id, *work.labels);
+    }
+    transaction.commit();
+    pending_.clear();
+  }
+
+  Project& project_;
+  const std::vector<PartTemplate>& templates_;
+  const FitOptions& options_;
+  const JobControl& control_;
+  JobControl stop_only_;  // single fits do not report
+  ContentHash state_;
+  std::vector<TemplateId> template_ids_;
+  std::vector<ShapeId> todo_;
+  std::vector<Work> ring_;
+  std::vector<Work> pending_;  // to be committed
+  FitCollectionReport report_;
+};
+
+}  // namespace
+
+FitCollectionReport fit_collection(Project& project, const std::vector<PartTemplate>& templates,
+                                   const FitOptions& options, unsigned threads, const JobControl& control) {
+  if (templates.empty()) throw PreconditionError("fit_collection needs at least one template");
+  return FitRun(project, templates, options, control).run(threads);
+}
+
+}  // namespace archetype

@@ -1,0 +1,45 @@
+// Hashes the text of everything that decides a fit.
+#include "core/session/fit_state.h"
+
+#include <array>
+#include <charconv>
+
+#include "core/io/template_file.h"
+
+namespace archetype {
+
+std::vector<std::pair<std::string, double>> named_options(const FitOptions& options) {
+  // Taken apart by position, so that an option which is added there and forgotten here does not compile.
+  const auto& [distance_unit, alpha, beta, gamma, null_cost, feature_clip, existence_weight, graph_neighbours,
+               face_smoothness, template_points, yaws, max_alternations, expansion] = options;
+  const auto& [prune] = expansion;
+  return {{"distance_unit", distance_unit},
+          {"alpha", alpha},
+          {"beta", beta},
+          {"gamma", gamma},
+          {"null_cost", null_cost},
+          {"feature_clip", feature_clip},
+          {"existence_weight", existence_weight},
+          {"graph_neighbours", graph_neighbours},
+          {"face_smoothness", face_smoothness},
+          {"template_points", template_points},
+          {"yaw_0", yaws[0]},
+          {"yaw_90", yaws[1]},
+          {"yaw_180", yaws[2]},
+          {"yaw_270", yaws[3]},
+          {"max_alternations", max_alternations},
+          {"prune", prune}};
+}
+
+ContentHash fit_state(const std::vector<PartTemplate>& templates, const FitOptions& options) {
+  std::string text = "archetype " ARCHETYPE_VERSION "\n";
+  for (const auto& [name, value] : named_options(options)) {
+    std::array<char, 32> digits{};
+    char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    text += name + "=" + std::string(digits.data(), end) + "\n";
+  }
+  for (const PartTemplate& part_template : templates) text += format_template(part_template);
+  return hash_content(std::as_bytes(std::span(text)));
+}
+
+}  // namespace archetype

@@ -1,0 +1,20 @@
+// What a stored fit was made with, in one number.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/hash.h"
+#include "core/fitting/fit_options.h"
+#include "core/model/part_template.h"
+
+namespace archetype {
+
+// Every option by name, for records of what was done.
+std::vector<std::pair<std::string, double>> named_options(const FitOptions& options);
+
+// Of everything that decides a fit besides the shape: templates, options and the version of the program.
+ContentHash fit_state(const std::vector<PartTemplate>& templates, const FitOptions& options);
+
+}  // namespace archetype
