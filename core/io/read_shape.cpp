@@ -20,8 +20,11 @@ struct Format {
 };
 
 constexpr std::array formats = {
-    Format{".obj", true, read_obj},  Format{".off", false, read_off},   Format{".ply", false, read_ply},
-    Format{".stl", false, read_stl}, Format{".xyz", true, read_points}, Format{".pts", true, read_points},
+    Format{".obj", true, read_obj},    Format{".off", false, read_off},
+    Format{".ply", false, read_ply},   Format{".stl", false, read_stl},
+    Format{".gltf", true, read_gltf},  Format{".glb", false, read_gltf},
+    Format{".xyz", true, read_points}, Format{".pts", true, read_points},
+    Format{".ac", true, read_ac3d},    Format{".binvox", false, read_binvox},
 };
 
 const Format* find_format(const std::filesystem::path& path) {

@@ -18,6 +18,9 @@ void read_obj(const ShapeBytes& file, ShapeFile& shape);
 void read_off(const ShapeBytes& file, ShapeFile& shape);
 void read_ply(const ShapeBytes& file, ShapeFile& shape);
 void read_stl(const ShapeBytes& file, ShapeFile& shape);
+void read_ac3d(const ShapeBytes& file, ShapeFile& shape);
+void read_binvox(const ShapeBytes& file, ShapeFile& shape);
+void read_gltf(const ShapeBytes& file, ShapeFile& shape);  // both forms; also adds its buffers to shape.hash
 void read_points(const ShapeBytes& file, ShapeFile& shape);  // XYZ and PTS
 
 // Ends the face whose corners were appended to mesh.face_corners one by one.

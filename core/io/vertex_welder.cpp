@@ -8,10 +8,10 @@
 namespace archetype {
 
 VertexWelder::VertexWelder(std::vector<Vec3>& vertices, std::size_t expected)
-    : vertices_(vertices), slots_(std::bit_ceil(expected / 2 + 16), empty) {}
+    : vertices_(vertices), first_(vertices.size()), slots_(std::bit_ceil(expected / 2 + 16), empty) {}
 
 std::uint32_t VertexWelder::add(const Vec3& vertex) {
-  if (vertices_.size() * 2 >= slots_.size()) grow();
+  if ((vertices_.size() - first_) * 2 >= slots_.size()) grow();
   const std::size_t slot = find_slot(vertex);
   if (slots_[slot] == empty) {
     slots_[slot] = static_cast<std::uint32_t>(vertices_.size());
@@ -31,7 +31,9 @@ std::size_t VertexWelder::find_slot(const Vec3& vertex) const {
 
 void VertexWelder::grow() {
   slots_.assign(slots_.size() * 2, empty);
-  for (std::uint32_t i = 0; i < vertices_.size(); ++i) slots_[find_slot(vertices_[i])] = i;
+  for (std::size_t i = first_; i < vertices_.size(); ++i) {
+    slots_[find_slot(vertices_[i])] = static_cast<std::uint32_t>(i);
+  }
 }
 
 }  // namespace archetype

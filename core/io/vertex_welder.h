@@ -8,8 +8,8 @@
 
 namespace archetype {
 
-// Appends to `vertices` what is not there yet. Exactly equal coordinates only (0 and -0 are equal): no
-// tolerance, so that no face collapses. Constant time per vertex.
+// Appends to `vertices` what this welder has not added yet. Exactly equal coordinates only (0 and -0 are
+// equal): no tolerance, so that no face collapses. Constant time per vertex.
 class VertexWelder {
  public:
   // `expected`: how many vertices will be added, with repetitions; only a hint. `vertices` is referred to.
@@ -22,6 +22,7 @@ class VertexWelder {
   void grow();
 
   std::vector<Vec3>& vertices_;
+  std::size_t first_;                 // what stood in vertices_ before is left alone
   std::vector<std::uint32_t> slots_;  // open addressing; a power of two, at most half full
 };
 

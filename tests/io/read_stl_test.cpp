@@ -2,16 +2,13 @@
 
 #include <bit>
 
+#include "tests/io/gltf_builder.h"
 #include "tests/io/shape_reading.h"
 
 using namespace archetype;
 using namespace archetype::test;
 
 namespace {
-
-void append_word(std::string& bytes, std::uint32_t word) {
-  for (int i = 0; i < 4; ++i) bytes += static_cast<char>(word >> (8 * i) & 0xFF);
-}
 
 // A binary STL of triangles given as nine coordinates each.
 std::string binary_stl(std::string header, const std::vector<std::array<float, 9>>& facets) {
