@@ -33,10 +33,12 @@ void draw_menu(const Studio& studio, std::string_view menu, const char* title) {
   if (!ImGui::BeginTable(title, 3, ImGuiTableFlags_SizingStretchProp)) return;
   for (const Command& command : studio.commands) {
     if (command.menu != menu) continue;
-    const std::string arguments = command.arguments.empty() ? "" : " " + std::string(command.arguments);
+    std::string usage(command.name);
+    usage += ' ';
+    usage += command.arguments;
     row(studio, key_of(studio, command), std::string(command.title));
     ImGui::TableNextColumn();
-    muted_text(studio, std::string(command.name) + arguments);
+    muted_text(studio, usage);
   }
   ImGui::EndTable();
 }

@@ -64,6 +64,7 @@ struct Studio {
   ViewportState viewport;
   LatencyMeter latency;
   std::vector<Target> targets;  // of the frame drawn last
+  std::vector<KeyChord> pressed_keys;  // since the last frame, in order
   std::vector<std::string>
       output;  // lines of commands for standard output; the program prints and clears them
   std::optional<std::filesystem::path> wanted_picture;  // of the whole window, once the next frame is drawn

@@ -3,12 +3,12 @@
 namespace archetype {
 namespace {
 
-constexpr ImVec4 rgb(unsigned hex, float alpha = 1.0f) {
+ImVec4 rgb(unsigned hex, float alpha = 1.0f) {
   return {static_cast<float>((hex >> 16) & 0xff) / 255.0f, static_cast<float>((hex >> 8) & 0xff) / 255.0f,
           static_cast<float>(hex & 0xff) / 255.0f, alpha};
 }
 
-constexpr Palette dark{.back = rgb(0x16181c),
+const Palette dark{.back = rgb(0x16181c),
                        .panel = rgb(0x1e2126),
                        .raised = rgb(0x2a2e35),
                        .hovered = rgb(0x363c45),
@@ -21,7 +21,7 @@ constexpr Palette dark{.back = rgb(0x16181c),
                        .warning = rgb(0xe8b04a),
                        .error = rgb(0xf0705f)};
 
-constexpr Palette light{.back = rgb(0xe4e7eb),
+const Palette light{.back = rgb(0xe4e7eb),
                         .panel = rgb(0xf7f8fa),
                         .raised = rgb(0xe6e9ee),
                         .hovered = rgb(0xd6dce4),

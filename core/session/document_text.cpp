@@ -20,8 +20,8 @@ std::string format_document(const Document& document) {
 
 Document parse_document(std::string_view text, const std::filesystem::path& name) {
   const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || json.value("format", "") != "archetype-document" || !json.contains("templates") ||
-      !json["templates"].is_array())
+  const bool ours = json.is_object() && json.contains("format") && json["format"] == "archetype-document";
+  if (!ours || !json.contains("templates") || !json["templates"].is_array())
     throw InputError(name, "", "expected the templates that were being edited");
   Document document;
   for (const Json& part_template : json["templates"])

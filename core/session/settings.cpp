@@ -105,9 +105,13 @@ LoadedSettings load_settings(const std::filesystem::path& path) {
       const std::string problem = assign(loaded.settings, field, json[field.name]);
       if (wrong.empty()) wrong = problem;
     }
-    for (const Json& entry : json.value("recent", Json::array()))
+    const Json recent = json.value("recent", Json::array());
+    const Json keys = json.value("keys", Json::object());
+    if (!recent.is_array()) throw InputError(path, "", "recent has to be a list");
+    if (!keys.is_object()) throw InputError(path, "", "keys has to be an object");
+    for (const Json& entry : recent)
       if (entry.is_string()) loaded.settings.recent.push_back(entry.get<std::string>());
-    for (const auto& [command, key] : json.value("keys", Json::object()).items())
+    for (const auto& [command, key] : keys.items())
       if (key.is_string()) loaded.settings.keys[command] = key.get<std::string>();
     if (!wrong.empty()) loaded.problem = path.string() + ": " + wrong + "; the default is used";
   } catch (const std::exception& error) {

@@ -15,7 +15,7 @@ struct CloseMember {
 
 }  // namespace
 
-void ZipArchive::Close::operator()(struct zip* archive) const {
+void ZipArchive::Close::operator()(::zip* archive) const {
   zip_discard(archive);
 }
 

@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+struct zip;  // libzip's
+
 namespace archetype {
 
 class ZipArchive {
@@ -20,10 +22,10 @@ class ZipArchive {
 
  private:
   struct Close {
-    void operator()(struct zip* archive) const;
+    void operator()(::zip* archive) const;
   };
   std::filesystem::path path_;
-  std::unique_ptr<struct zip, Close> archive_;
+  std::unique_ptr<::zip, Close> archive_;
 };
 
 }  // namespace archetype
