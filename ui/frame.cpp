@@ -99,6 +99,7 @@ void draw_background(Studio& studio, const Layout& layout) {
       "##back",
       {screen->WorkPos, {screen->WorkPos.x + screen->WorkSize.x, screen->WorkPos.y + screen->WorkSize.y}},
       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::BringWindowToDisplayBack(ImGui::GetCurrentWindow());
   const Layout& l = layout;
   splitter(studio, "left", {{l.left.high.x, l.left.low.y}, {l.tools.low.x, l.left.high.y}}, true,
            studio.settings.left_width, 1, 120, 900);

@@ -19,7 +19,10 @@ void draw_into(const gl::Framebuffer& target) {
 }  // namespace
 
 HeadlessWindow::HeadlessWindow(int width, int height, float scale, StudioOptions options)
-    : target_(width, height), studio_(std::move(options)), scale_(scale) {}
+    : target_(width, height), studio_(std::move(options)), scale_(scale) {
+  // There is no keyboard with codes of its own: Dear ImGui's keys are their own codes.
+  for (int key = 0; key < ImGuiKey_COUNT; ++key) ImGui::GetIO().KeyMap[key] = key;
+}
 
 void HeadlessWindow::frame() {
   imgui_.follow_settings(studio_, scale_);

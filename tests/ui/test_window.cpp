@@ -107,12 +107,10 @@ void TestWindow::key(const std::string& chord) {
 }
 
 void TestWindow::field_key(ImGuiKey key) {
-  ImGuiIO& io = ImGui::GetIO();
-  // Without a back end for the keyboard no physical keys are known: each gets one of its own.
-  io.KeyMap[key] = static_cast<int>(key);
-  io.KeysDown[static_cast<int>(key)] = true;
+  bool& down = ImGui::GetIO().KeysDown[ImGui::GetKeyIndex(key)];
+  down = true;
   frames();
-  io.KeysDown[static_cast<int>(key)] = false;
+  down = false;
   frames(2);
 }
 
