@@ -20,13 +20,20 @@ void add_json_option(CLI::App& command, Invocation& invocation) {
 void add_help_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("help", "Show this page, or that of a command");
   const auto name = std::make_shared<std::string>();
-  command->add_option("COMMAND", *name, "The command to show");
+  command->add_option("COMMAND", *name, "The command to show")->check([&app](const std::string& text) {
+    return has_command(app, text) ? std::string() : "there is no command " + text;
+  });
   command->callback([&app, &invocation, name] {
     invocation.run = [&app, name] {
-      std::cout << (name->empty() ? app.help() : app.get_subcommand(*name)->help());
+      app.clear();  // the parser shows the page of the command that it has parsed
+      std::cout << (name->empty() ? app.help() : app.get_subcommand(*name)->help("archetype"));
       return exit_code::done;
     };
   });
+}
+
+bool has_command(const CLI::App& app, const std::string& name) {
+  return !app.get_subcommands([&](const CLI::App* command) { return command->get_name() == name; }).empty();
 }
 
 void print_refused(const std::vector<RefusedInput>& refused) {

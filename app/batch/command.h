@@ -34,8 +34,12 @@ void add_json_option(CLI::App& command, Invocation& invocation);
 void add_import_command(CLI::App& app, Invocation& invocation);
 void add_fit_command(CLI::App& app, Invocation& invocation);
 void add_evaluate_command(CLI::App& app, Invocation& invocation);
+void add_export_command(CLI::App& app, Invocation& invocation);
+void add_generate_command(CLI::App& app, Invocation& invocation);
 void add_info_command(CLI::App& app, Invocation& invocation);
 void add_help_command(CLI::App& app, Invocation& invocation);
+
+bool has_command(const CLI::App& app, const std::string& name);
 
 // One line each on standard error: "refused: PATH: reason".
 void print_refused(const std::vector<RefusedInput>& refused);

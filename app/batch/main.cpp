@@ -22,6 +22,8 @@ int parse_and_run(int argc, char** argv, Invocation& invocation) {
   add_import_command(app, invocation);
   add_fit_command(app, invocation);
   add_evaluate_command(app, invocation);
+  add_export_command(app, invocation);
+  add_generate_command(app, invocation);
   add_info_command(app, invocation);
   add_help_command(app, invocation);
   try {
@@ -29,6 +31,10 @@ int parse_and_run(int argc, char** argv, Invocation& invocation) {
   } catch (const CLI::Success& help_or_version) {
     return app.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
+    if (argc > 1 && argv[1][0] != '-' && !has_command(app, argv[1])) {
+      print_error("there is no command " + std::string(argv[1]) + "; see `archetype help`");
+      return exit_code::wrong_usage;
+    }
     print_error(std::string(error.what()) + "; see `archetype help`");
     return exit_code::wrong_usage;
   }

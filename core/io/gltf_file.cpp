@@ -14,10 +14,11 @@
 namespace archetype {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 // Each takes some hundred bytes of memory, however short it is written.
 constexpr std::size_t most_entries = 100000;
+constexpr std::size_t longest_problem = 300;  // tinygltf says something about every entry
 
 struct Chunks {
   std::string_view json;
@@ -166,19 +167,22 @@ void refuse_compression(const Json& document, const ShapeBytes& file) {
   }
 }
 
+void limit_entries(const Json& document, const ShapeBytes& file) {
+  for (const auto& [key, value] : document.items()) {
+    if (!value.is_array() || value.size() <= most_entries) continue;
+    throw InputError(file.path, key, "more than " + std::to_string(most_entries) + " entries");
+  }
+}
+
 // What tinygltf gets to see: the geometry and where it stands. No buffers, so that it opens no file and
 // copies no bytes, and nothing that it would decode for us to throw away.
-Json geometry_only(const Json& document, const ShapeBytes& file) {
+Json geometry_only(const Json& document) {
   constexpr std::array<std::string_view, 7> keys{"asset",  "scene",     "scenes",     "nodes",
                                                  "meshes", "accessors", "bufferViews"};
   Json kept = Json::object();
   for (const std::string_view key : keys) {
     const auto found = document.find(key);
-    if (found == document.end()) continue;
-    if (found->is_array() && found->size() > most_entries) {
-      throw InputError(file.path, std::string(key), "more than " + std::to_string(most_entries) + " entries");
-    }
-    kept[std::string(key)] = *found;
+    if (found != document.end()) kept[std::string(key)] = *found;
   }
   return kept;
 }
@@ -192,6 +196,7 @@ GltfFile open_gltf(const ShapeBytes& file) {
   if (!document.is_object() || !document.contains("asset")) {
     throw InputError(file.path, "", "expected a glTF document: a JSON object with the key \"asset\"");
   }
+  limit_entries(document, file);
   refuse_compression(document, file);
   GltfFile gltf;
   gltf.path = file.path;
@@ -199,7 +204,7 @@ GltfFile open_gltf(const ShapeBytes& file) {
   load_buffers(document, chunks, file, gltf);
   for (const std::string& buffer : gltf.owned) gltf.bytes += buffer.size();
 
-  const std::string kept = geometry_only(document, file).dump();
+  const std::string kept = geometry_only(document).dump();
   std::string problem;
   std::string warning;
   bool loaded = false;
@@ -211,7 +216,7 @@ GltfFile open_gltf(const ShapeBytes& file) {
   }
   if (!loaded) {
     std::ranges::replace(problem, '\n', ' ');
-    throw InputError(file.path, "", "not valid glTF: " + problem);
+    throw InputError(file.path, "", "not valid glTF: " + problem.substr(0, longest_problem));
   }
   return gltf;
 }

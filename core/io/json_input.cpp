@@ -40,10 +40,10 @@ void check_depth(std::string_view text, const std::filesystem::path& file) {
 
 }  // namespace
 
-nlohmann::ordered_json parse_json(std::string_view text, const std::filesystem::path& file) {
+nlohmann::json parse_json(std::string_view text, const std::filesystem::path& file) {
   check_depth(text, file);
   try {
-    return nlohmann::ordered_json::parse(text);
+    return nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {
     // The library's message repeats the position before a colon and its own names in brackets.
     std::string problem = error.what();

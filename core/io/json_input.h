@@ -10,8 +10,8 @@ namespace archetype {
 // Deeper nesting is refused: code that walks over a document may recurse.
 inline constexpr int max_json_depth = 64;
 
-// Keeps the order of keys. Throws InputError with line and column for what is no JSON, or is nested too
-// deeply.
-nlohmann::ordered_json parse_json(std::string_view text, const std::filesystem::path& file);
+// Keys come sorted: the library's type that keeps their order takes quadratic time for many. Throws
+// InputError with line and column for what is no JSON, or is nested too deeply.
+nlohmann::json parse_json(std::string_view text, const std::filesystem::path& file);
 
 }  // namespace archetype

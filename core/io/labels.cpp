@@ -1,8 +1,8 @@
 // Label and landmark files of the COSEG and Princeton collections.
 #include "core/io/labels.h"
 
-#include <algorithm>
 #include <limits>
+#include <map>
 
 #include "core/base/error.h"
 #include "core/io/file.h"
@@ -53,7 +53,7 @@ void read_faces(TextCursor& cursor, int label, std::vector<int>& labels) {
 // the list of the name before it, every other one is a name.
 std::vector<int> read_named(TextCursor& cursor, std::size_t element_count) {
   std::vector<int> labels(element_count, -1);
-  std::vector<std::string> names;
+  std::map<std::string, int> names;
   int label = -1;
   while (cursor.next_line()) {
     TextCursor line = cursor;
@@ -62,10 +62,8 @@ std::vector<int> read_named(TextCursor& cursor, std::size_t element_count) {
       if (label < 0) cursor.fail("expected the name of a label before the first face numbers");
       read_faces(cursor, label, labels);
     } else {
-      const std::string name(cursor.rest_of_line());
-      const auto found = std::ranges::find(names, name);
-      label = static_cast<int>(found - names.begin());
-      if (found == names.end()) names.push_back(name);
+      label =
+          names.try_emplace(std::string(cursor.rest_of_line()), static_cast<int>(names.size())).first->second;
     }
   }
   return labels;

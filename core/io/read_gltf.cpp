@@ -132,6 +132,7 @@ class GltfReader {
     std::map<int, std::vector<std::uint32_t>> welded;  // of each accessor: primitives often share one
     for (const tinygltf::Primitive& primitive :
          gltf_.model.meshes[static_cast<std::size_t>(index)].primitives) {
+      arrays_.spend(1);  // also for one without vertices, of which there may be many in many places
       const auto attribute = primitive.attributes.find("POSITION");
       if (attribute == primitive.attributes.end()) continue;  // allowed; there is nothing to see
       if (primitive.mode == TINYGLTF_MODE_POINTS) {

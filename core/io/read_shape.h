@@ -1,4 +1,5 @@
-// Reading a shape, whatever its format.
+// Reading a shape, whatever its format: OBJ, OFF, PLY, STL, glTF, GLB, AC3D; point sets as PLY, XYZ, PTS and
+// binvox.
 #pragma once
 
 #include <filesystem>

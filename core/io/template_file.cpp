@@ -14,11 +14,13 @@
 namespace archetype {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
+using OrderedJson = nlohmann::ordered_json;  // for writing, so that people find the keys in a sensible order
 
 constexpr std::string_view format_name = "archetype-template";
 constexpr int format_version = 1;
 constexpr std::size_t most_parts = 256;
+constexpr std::size_t most_unknown_keys = 256;
 constexpr std::uint64_t most_bytes = 16 << 20;
 // Bounds on sizes and spreads, in normalised shape units (a shape's mean radius is 1): far beyond anything
 // that means something, and such that squares and their inverses stay finite.
@@ -91,15 +93,18 @@ class Node {
 };
 
 // What is left of an object without the keys that this version knows, as text; empty if nothing is.
-std::string unknown_keys(const Json& object, std::initializer_list<std::string_view> known) {
+std::string unknown_keys(const Node& node, std::initializer_list<std::string_view> known) {
   Json rest = Json::object();
-  for (const auto& [key, value] : object.items()) {
+  for (const auto& [key, value] : node.json().items()) {
     if (std::ranges::find(known, key) == known.end()) rest[key] = value;
+  }
+  if (rest.size() > most_unknown_keys) {
+    node.fail("more than " + std::to_string(most_unknown_keys) + " keys that are not known");
   }
   return rest.empty() ? "" : rest.dump();
 }
 
-void add_unknown_keys(Json& object, const std::string& extra_json) {
+void add_unknown_keys(OrderedJson& object, const std::string& extra_json) {
   if (extra_json.empty()) return;
   const Json extra = Json::parse(extra_json, nullptr, /*allow_exceptions=*/false);
   if (!extra.is_object()) throw PreconditionError("extra_json of a template or part is no JSON object");
@@ -143,20 +148,20 @@ TemplatePart parse_part(const Node& node, int index) {
     }
   }
   if (node.has("existence")) part.existence = node.at("existence").number(least_spread, 1);
-  part.extra_json = unknown_keys(node.json(), {"name", "label", "must_exist", "orientation", "position",
-                                               "scale", "features", "existence"});
+  part.extra_json = unknown_keys(
+      node, {"name", "label", "must_exist", "orientation", "position", "scale", "features", "existence"});
   return part;
 }
 
-Json array_of(const auto& values) {
-  Json array = Json::array();
+OrderedJson array_of(const auto& values) {
+  OrderedJson array = OrderedJson::array();
   for (const double value : values) array.push_back(value);
   return array;
 }
 
-Json format_part(const TemplatePart& part) {
+OrderedJson format_part(const TemplatePart& part) {
   const Eigen::Quaterniond& q = part.orientation;
-  Json json;
+  OrderedJson json;
   json["name"] = part.name;
   json["label"] = part.label;
   json["must_exist"] = part.must_exist;
@@ -194,7 +199,7 @@ PartTemplate parse_template(std::string_view json, const std::filesystem::path& 
   for (std::size_t i = 0; i < parts.json().size(); ++i) {
     result.parts.push_back(parse_part(parts.at(i), static_cast<int>(i)));
   }
-  result.extra_json = unknown_keys(document, {"format", "version", "name", "up", "parts"});
+  result.extra_json = unknown_keys(root, {"format", "version", "name", "up", "parts"});
   return result;
 }
 
@@ -203,16 +208,16 @@ PartTemplate read_template(const std::filesystem::path& path) {
 }
 
 std::string format_template(const PartTemplate& part_template) {
-  Json json;
+  OrderedJson json;
   json["format"] = format_name;
   json["version"] = format_version;
   json["name"] = part_template.name;
   json["up"] = "y";
-  json["parts"] = Json::array();
+  json["parts"] = OrderedJson::array();
   for (const TemplatePart& part : part_template.parts) json["parts"].push_back(format_part(part));
   add_unknown_keys(json, part_template.extra_json);
   // Names may come from file names, which need not be UTF-8.
-  std::string text = json.dump(2, ' ', /*ensure_ascii=*/false, Json::error_handler_t::replace) + "\n";
+  std::string text = json.dump(2, ' ', /*ensure_ascii=*/false, OrderedJson::error_handler_t::replace) + "\n";
   try {
     parse_template(text, "");  // what cannot be read again must not replace a good file
   } catch (const InputError& error) {

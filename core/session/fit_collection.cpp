@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
 #include "core/evaluation/label_elements.h"
@@ -30,8 +31,9 @@ struct Work {
   bool cancelled = false;
 };
 
-// The ids of the templates in the project, which has them as its current set afterwards.
-std::vector<TemplateId> store_templates(Project& project, const std::vector<PartTemplate>& templates) {
+// The ids of the templates in the project, which has them as its current set afterwards, and the options.
+std::vector<TemplateId> store_request(Project& project, const std::vector<PartTemplate>& templates,
+                                      const FitOptions& options) {
   Project::Transaction transaction(project);
   std::vector<TemplateRecord> current = project.templates();
   std::vector<TemplateId> ids;
@@ -47,6 +49,9 @@ std::vector<TemplateId> store_templates(Project& project, const std::vector<Part
     }
   }
   project.set_current_templates(ids);
+  nlohmann::ordered_json named;
+  for (const auto& [name, value] : named_options(options)) named[name] = value;
+  project.set_setting(fit_options_setting, named.dump());
   transaction.commit();
   return ids;
 }
@@ -71,7 +76,7 @@ class FitRun {
 
   FitCollectionReport run(unsigned threads) {
     state_ = fit_state(templates_, options_);
-    template_ids_ = store_templates(project_, templates_);
+    template_ids_ = store_request(project_, templates_, options_);
     find_work();
     ring_.resize(pipeline_window(threads));
     const bool all = ordered_pipeline(todo_.size(), threads, control_, "fitting",

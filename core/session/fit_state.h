@@ -14,6 +14,9 @@ namespace archetype {
 // Every option by name, for records of what was done.
 std::vector<std::pair<std::string, double>> named_options(const FitOptions& options);
 
+// The key of the project's setting that keeps the options of the last fit_collection as JSON.
+inline constexpr const char* fit_options_setting = "fit.options";
+
 // Of everything that decides a fit besides the shape: templates, options and the version of the program.
 ContentHash fit_state(const std::vector<PartTemplate>& templates, const FitOptions& options);
 

@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <fstream>
-#include <sstream>
+#include <ctime>
 
 #include "core/base/error.h"
 #include "core/base/random.h"
@@ -108,4 +107,15 @@ TEST_CASE("a known key in extra_json never overrides the template's own value") 
   const PartTemplate after = parse_template(format_template(part_template), "t.json");
   CHECK(after.name == part_template.name);
   CHECK(after.extra_json == R"({"other":1})");
+}
+
+TEST_CASE("very many keys below an unknown one are kept in a time that grows with their number") {
+  std::string text = smallest;
+  std::string keys;
+  for (int i = 0; i < 200000; ++i) keys += (i == 0 ? "\"k" : ",\"k") + std::to_string(i) + "\":0";
+  text.replace(text.find("\"name\""), 0, "\"x\":{" + keys + "},");
+  const std::clock_t begin = std::clock();
+  const PartTemplate before = parse_template(text, "t.json");
+  CHECK(parse_template(format_template(before), "t.json") == before);
+  CHECK(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC < 10);  // quadratic: minutes
 }
