@@ -56,8 +56,8 @@ struct BoxDrag {
 };
 
 struct DragModifiers {
-  bool about_centre = false;     // resize: the middle stays instead of the opposite side
-  bool steps = false;            // moves by multiples of 0.05 units, turns by multiples of 15 degrees
+  bool about_centre = false;       // resize: the middle stays instead of the opposite side
+  bool steps = false;              // moves by multiples of 0.05 units, turns by multiples of 15 degrees
   std::optional<int> only_axis{};  // of the box, 0 to 2
 };
 
