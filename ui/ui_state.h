@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 
 #include "core/io/project.h"
+#include "ui/collection.h"
 
 namespace archetype {
 
@@ -29,16 +31,65 @@ enum class CameraView { front, back, left, right, top, bottom, home };
 enum class BoxTool { move, scale, rotate };
 enum class Navigation { archetype, blender, maya };  // which buttons orbit, pan and zoom
 
+struct GridState {
+  std::string filter;
+  RowOrder order = RowOrder::name;
+  bool scroll_to_shape = false;  // bring the shape in view into sight, once
+  // The rows to show, made anew when one of these changes.
+  std::vector<std::size_t> visible;
+  std::uint64_t visible_revision = 0;
+  std::string visible_filter;
+  RowOrder visible_order = RowOrder::name;
+};
+
+struct PaletteState {
+  bool open = false;
+  bool newly_open = false;
+  std::string query;
+  std::size_t chosen = 0;
+};
+
+// What the file browser was opened for: the command that gets the path.
+struct BrowseFor {
+  std::string command = {};  // "open-folder", …
+  std::string title = {};
+  bool folders_only = false;
+  bool saving = false;
+  bool shapes = false;      // files that can be imported, and folders
+  std::string ending = {};  // ".json": only these files are shown, and it is added when saving; "" for all
+};
+
+struct FileBrowserState {
+  BrowseFor wanted;
+  bool open = false;
+  bool newly_open = false;
+  std::filesystem::path folder;
+  std::string typed;  // the field: a name in the folder, or a path
+  bool asked_to_replace = false;
+};
+
+enum class BottomTab { jobs, messages, history, diagnostics };
+
 struct UiState {
   std::optional<ShapeId> shape;     // the shape in view
   std::optional<std::size_t> part;  // the selected part of the active template
   ViewOptions view;
   BoxTool tool = BoxTool::move;
   std::optional<int> drag_axis;  // of the box, 0 to 2: the drag under way keeps to it (X, Y, Z)
-  Navigation navigation = Navigation::archetype;
+  Navigation navigation = Navigation::archetype;  // that of the settings
   // Wishes of commands to the viewport, which clears them once it has followed.
   std::optional<CameraView> wanted_view;
   bool wanted_frame = false;  // frame the selected box, or the shape where none is selected
+  bool cancel_drag = false;   // Esc was pressed
+
+  GridState grid;
+  PaletteState palette;
+  FileBrowserState browser;
+  BottomTab bottom_tab = BottomTab::jobs;
+  std::optional<BottomTab> wanted_bottom_tab;
+  bool help = false;   // the list of keys
+  bool about = false;  // with the credits
+  std::string status;  // the line at the bottom: what was done last
 };
 
 }  // namespace archetype

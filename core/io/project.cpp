@@ -102,6 +102,15 @@ const fs::path& Project::path() const {
   return connection_->database->path();
 }
 
+void Project::copy_to(const fs::path& path) const {
+  const fs::path absolute = fs::absolute(path);
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(absolute, error))) {
+    throw FileError(absolute, "exists already; choose another name");
+  }
+  Statement(*connection_->database, "VACUUM INTO ?").bind(std::string_view(absolute.native())).run();
+}
+
 Project::Transaction::Transaction(Project& project)
     : scope_(std::make_unique<WriteScope>(*project.connection_->database)) {}
 Project::Transaction::~Transaction() = default;

@@ -77,6 +77,9 @@ struct TemplateRecord {
 
 using Thumbnail = Picture;
 
+// The kind of a thumbnail that shows a shape's fit.
+inline constexpr std::string_view parts_thumbnail = "parts";
+
 // One connection. Use one object per thread; several, also in several processes, may have the same file open.
 // Every writing function is one transaction unless a Transaction is open. All throw FileError for a full disk
 // or a broken file, with what was committed left intact.
@@ -95,6 +98,8 @@ class Project {
   ~Project();
 
   const std::filesystem::path& path() const;
+  // A copy of all that is committed, also while others write; throws FileError if the path exists.
+  void copy_to(const std::filesystem::path& path) const;
 
   // Groups writes: all or nothing. Rolls back unless commit() was called. One inside another is part of the
   // outer.
@@ -132,7 +137,7 @@ class Project {
   // Makes exactly these the current set, in this order.
   void set_current_templates(const std::vector<TemplateId>& ids);
 
-  // Replaces the shape's fit; its labels, which came from the old one, go.
+  // Replaces the shape's fit; its labels and the picture of its parts, which came from the old one, go.
   void store_fit(const FitRecord& record);
   std::optional<FitRecord> fit(ShapeId id) const;
   std::vector<FitSummary> fits() const;  // ordered as shapes()
@@ -142,6 +147,7 @@ class Project {
   void store_labels(ShapeId id, const std::vector<std::int16_t>& labels);
   std::optional<std::vector<std::int16_t>> labels(ShapeId id) const;
 
+  // `kind` is free but for parts_thumbnail.
   void store_thumbnail(ShapeId id, const std::string& kind, const Thumbnail& thumbnail);
   std::optional<Thumbnail> thumbnail(ShapeId id, const std::string& kind) const;
   void clear_thumbnails(const std::string& kind);

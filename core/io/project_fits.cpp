@@ -110,6 +110,10 @@ void Project::store_fit(const FitRecord& record) {
   Database& database = *connection_->database;
   WriteScope scope(database);
   Statement(database, "DELETE FROM labels WHERE shape = ?").bind(record.shape).run();
+  Statement(database, "DELETE FROM thumbnails WHERE shape = ? AND kind = ?")
+      .bind(record.shape)
+      .bind(parts_thumbnail)
+      .run();
   Statement insert(database, "INSERT OR REPLACE INTO fits (shape, template, status, state, yaw_quarters, " +
                                  std::string(energy_columns) +
                                  ", data) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
@@ -170,6 +174,7 @@ std::vector<FitSummary> Project::fits() const {
 void Project::clear_fits() {
   WriteScope scope(*connection_->database);
   connection_->database->execute("DELETE FROM fits");
+  Statement(*connection_->database, "DELETE FROM thumbnails WHERE kind = ?").bind(parts_thumbnail).run();
   scope.commit();
 }
 

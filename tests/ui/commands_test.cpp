@@ -1,0 +1,153 @@
+// The command table, scripts and keys.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+
+#include "core/base/error.h"
+#include "tests/ui/test_window.h"
+#include "ui/script.h"
+
+using namespace archetype;
+using archetype::test::TestWindow;
+
+namespace {
+
+std::string problem_of(const std::function<void()>& run) {
+  try {
+    run();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void run_script(TestWindow& window, const std::string& text) {
+  Script script{"test.txt", parse_script(text, "test.txt"), 0};
+  check_script(window.studio(), script.lines, script.name);
+  while (!script.over()) {
+    advance(script, window.studio());
+    window.frames();
+  }
+  window.settle();
+}
+
+}  // namespace
+
+TEST_CASE("Names and keys of commands are unique, titles are there, keys can be parsed") {
+  std::set<std::string_view> names;
+  std::set<std::string> keys;
+  for (const Command& command : all_commands()) {
+    CAPTURE(command.name);
+    CHECK(names.insert(command.name).second);
+    CHECK((command.run != nullptr));
+    CHECK_FALSE(command.title.empty());
+    CHECK(std::all_of(command.name.begin(), command.name.end(),
+                      [](char c) { return (c >= 'a' && c <= 'z') || c == '-' || (c >= '0' && c <= '9'); }));
+    if (command.key.empty()) continue;
+    CHECK(keys.insert(std::string(command.key)).second);
+    const auto chord = parse_chord(command.key);
+    REQUIRE(chord.has_value());
+    CHECK(to_string(*chord) == command.key);
+  }
+}
+
+TEST_CASE("Every command without arguments runs or says why not, on an empty window and on a template") {
+  for (const bool with_template : {false, true}) {
+    TestWindow window;
+    if (with_template) {
+      window.make_template();
+      window.studio().ui.part = 0;
+    }
+    for (const Command& command : all_commands()) {
+      const bool starts_long_work = command.name.starts_with("generate") || command.name == "open-seats";
+      const bool needs_arguments = !command.arguments.empty() && command.arguments[0] != '[';
+      if (starts_long_work || needs_arguments || command.name == "quit") continue;
+      CAPTURE(command.name);
+      const std::string reason = why_not(window.studio(), command);
+      const std::uint64_t messages = window.studio().messages.count();
+      const bool ran = run_command(window.studio(), command.name);
+      if (!reason.empty()) CHECK_FALSE(ran);
+      if (!ran) CHECK(window.studio().messages.count() > messages);
+      window.frames(2);
+      window.studio().wanted_picture.reset();
+    }
+  }
+}
+
+TEST_CASE("Keys can be set by the user") {
+  TestWindow window;
+  window.studio().settings.keys["theme-light"] = "Ctrl+L";
+  window.studio().settings.keys["keys"] = "";
+  window.key("Ctrl+L");
+  CHECK(window.studio().settings.theme == "light");
+  window.key("F1");
+  CHECK_FALSE(window.studio().ui.help);
+}
+
+TEST_CASE("Chords are read as people write them") {
+  CHECK(parse_chord("ctrl+shift+z") == KeyChord{"Z", true, true, false});
+  CHECK(parse_chord("Ctrl++") == KeyChord{"+", true, false, false});
+  CHECK(parse_chord("f12") == KeyChord{"F12", false, false, false});
+  CHECK_FALSE(parse_chord(""));
+  CHECK_FALSE(parse_chord("Ctrl+"));
+  CHECK_FALSE(parse_chord("Hyper+A"));
+  CHECK_FALSE(parse_chord("Ctrl+Nothing"));
+}
+
+TEST_CASE("A script runs its commands in order") {
+  TestWindow window;
+  run_script(window,
+             "# a chair\n"
+             "new-template \"my chair\"\n"
+             "\n"
+             "add-part seat   # the seat\n"
+             "set-position 0 0.1 0\r\n"
+             "set-size 0.5 0.05 0.5\n"
+             "set-rotation 0 90 0\n"
+             "set-label 3\n"
+             "must-exist yes\n"
+             "set-existence 0.75");
+  const PartTemplate& made = *window.studio().history.current().active_template();
+  CHECK(made.name == "my chair");
+  REQUIRE(made.parts.size() == 1);
+  CHECK(made.parts[0].name == "seat");
+  CHECK(made.parts[0].position.mean == Vec3(0, 0.1, 0));
+  CHECK(made.parts[0].scale.mean == Vec3(0.5, 0.05, 0.5));
+  CHECK(made.parts[0].orientation.angularDistance(Eigen::Quaterniond(std::sqrt(0.5), 0, std::sqrt(0.5), 0)) <
+        1e-9);
+  CHECK(made.parts[0].label == 3);
+  CHECK(made.parts[0].must_exist);
+  CHECK(made.parts[0].existence == doctest::Approx(0.75));
+}
+
+TEST_CASE("What is wrong with a script is said with file and line") {
+  TestWindow window;
+  CHECK(problem_of([&] { run_script(window, "wait\n\nmake-coffee\n"); }).find("test.txt, line 3") == 0);
+  CHECK(problem_of([&] {
+          run_script(window, "new-template\nadd-part\nset-position 1 2\n");
+        }).find("test.txt, line 3") == 0);
+  CHECK(problem_of([&] { run_script(window, "set-position 1 x 2\n"); }).find("\"x\"") != std::string::npos);
+  CHECK(problem_of([&] { run_script(window, "new-template \"chair\n"); }).find("test.txt, line 1") == 0);
+  CHECK(problem_of([&] { run_script(window, "open /nowhere/at/all\n"); }).find("/nowhere/at/all") !=
+        std::string::npos);
+  CHECK(problem_of([&] { run_script(window, "set theme purple\n"); }).find("dark, light") !=
+        std::string::npos);
+  CHECK(problem_of([&] { run_script(window, "delete-part\ndelete-part\n"); }).find("line 2") !=
+        std::string::npos);
+}
+
+TEST_CASE("A script drags a part and prints how fast the fit followed") {
+  TestWindow window;
+  window.open_chairs(1);
+  window.make_template();
+  run_script(window, "clear-latency\nselect-part seat\ndrag-part 0 0.3 0 12\nreport-latency\nreport-fit\n");
+  REQUIRE(window.studio().output.size() == 2);
+  CHECK(window.studio().output[0].starts_with("latency: 12 edits"));
+  CHECK(window.studio().output[1].starts_with("fit "));
+  CHECK(window.studio().history.current().active_template()->parts[0].position.mean.y() ==
+        doctest::Approx(0.2));
+  CHECK(window.studio().history.entries().back().message == "Move seat");
+}

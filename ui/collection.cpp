@@ -1,0 +1,103 @@
+#include "ui/collection.h"
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/hash.h"
+#include "core/session/document_text.h"
+
+namespace archetype {
+namespace {
+
+constexpr const char* document_setting = "studio.document";
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+}  // namespace
+
+std::filesystem::path untitled_project_path(const std::filesystem::path& data_folder,
+                                            const std::filesystem::path& shapes_folder) {
+  std::filesystem::path absolute = std::filesystem::absolute(shapes_folder).lexically_normal();
+  if (!absolute.has_filename())
+    absolute = absolute.parent_path();  // a slash at the end means the same folder
+  const std::string text = absolute.string();
+  const std::string name = absolute.filename().string();
+  const ContentHash hash = hash_content(std::as_bytes(std::span(text)));
+  return data_folder / "projects" / (name + "-" + hash.to_hex().substr(0, 8) + ".archetype");
+}
+
+CollectionRows read_rows(const Project& project) {
+  CollectionRows content;
+  for (ShapeRecord& record : project.shapes())
+    content.rows.push_back({record.id, std::move(record.name), record.element_count, std::nullopt});
+  // Fits are ordered as the shapes are, but not every shape has one.
+  std::size_t row = 0;
+  for (const FitSummary& fit : project.fits()) {
+    while (row < content.rows.size() && content.rows[row].id != fit.shape) ++row;
+    if (row < content.rows.size()) content.rows[row].fit = fit;
+  }
+  content.refused = project.refused();
+  return content;
+}
+
+std::optional<CollectionRows> reread_rows(const std::filesystem::path& project, const JobControl&) {
+  try {
+    return read_rows(Project::open(project));
+  } catch (const Error&) {
+    return std::nullopt;  // the job that is writing it says what is wrong
+  }
+}
+
+Document read_document(const Project& project) {
+  if (const auto text = project.setting(document_setting)) return parse_document(*text, project.path());
+  Document document;
+  for (TemplateRecord& record : project.templates())
+    document.templates.push_back(std::make_shared<const PartTemplate>(std::move(record.part_template)));
+  return document;
+}
+
+std::optional<std::string> save_document(const SaveDocument& request, const JobControl&) {
+  try {
+    Project project = Project::open(request.project);
+    project.set_setting(document_setting, format_document(request.document));
+    return "";
+  } catch (const std::exception& error) {
+    return std::string("what you edit cannot be saved: ") + error.what();
+  }
+}
+
+std::optional<std::size_t> find_row(const Collection& collection, ShapeId id) {
+  const auto found = std::find_if(collection.rows().begin(), collection.rows().end(),
+                                  [&](const ShapeRow& row) { return row.id == id; });
+  if (found == collection.rows().end()) return std::nullopt;
+  return static_cast<std::size_t>(found - collection.rows().begin());
+}
+
+std::vector<std::size_t> visible_rows(const std::vector<ShapeRow>& rows, const std::string& filter,
+                                      RowOrder order) {
+  const std::string wanted = lower(filter);
+  std::vector<std::size_t> visible;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (wanted.empty() || lower(rows[i].name).find(wanted) != std::string::npos) visible.push_back(i);
+
+  const auto energy = [&](std::size_t i) {
+    const auto& fit = rows[i].fit;
+    const double none = std::numeric_limits<double>::infinity();
+    return fit ? (order == RowOrder::energy_down ? -fit->energy.total() : fit->energy.total()) : none;
+  };
+  if (order == RowOrder::energy_up || order == RowOrder::energy_down)
+    std::stable_sort(visible.begin(), visible.end(), [&](auto a, auto b) { return energy(a) < energy(b); });
+  if (order == RowOrder::faces)
+    std::stable_sort(visible.begin(), visible.end(),
+                     [&](auto a, auto b) { return rows[a].element_count > rows[b].element_count; });
+  return visible;
+}
+
+}  // namespace archetype

@@ -1,0 +1,54 @@
+// What commands need before they can be used, and how they read their arguments.
+#include <charconv>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "ui/command_groups.h"
+#include "ui/studio.h"
+
+namespace archetype {
+
+std::string needs_collection(const Studio& studio) {
+  return studio.collection.open() ? "" : "open a folder or a project first";
+}
+
+std::string needs_shape(const Studio& studio) {
+  return studio.shape.record ? "" : "click a shape in the collection first";
+}
+
+std::string needs_template(const Studio& studio) {
+  return studio.history.current().active_template() ? "" : "make or load a template first";
+}
+
+std::string needs_part(const Studio& studio) {
+  if (std::string reason = needs_template(studio); !reason.empty()) return reason;
+  return studio.ui.part ? "" : "select a part first";
+}
+
+std::string needs_fit(const Studio& studio) {
+  if (std::string reason = needs_template(studio); !reason.empty()) return reason;
+  if (std::string reason = needs_shape(studio); !reason.empty()) return reason;
+  const Document& document = studio.history.committed();
+  const bool current = studio.shape.fit && studio.shape.samples &&
+                       studio.shape.fit->part_template == document.templates[document.active];
+  return current ? "" : "wait for the fit of the shape in view";
+}
+
+double number_argument(Arguments arguments, std::size_t index, std::string_view what) {
+  if (index >= arguments.size()) throw Error("expected " + std::string(what));
+  const std::string& text = arguments[index];
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    throw Error("expected " + std::string(what) + ", not \"" + text + "\"");
+  return value;
+}
+
+std::string text_argument(Arguments arguments, std::size_t first, std::string_view what) {
+  std::string text;
+  for (std::size_t i = first; i < arguments.size(); ++i) text += (i > first ? " " : "") + arguments[i];
+  if (text.empty()) throw Error("expected " + std::string(what));
+  return text;
+}
+
+}  // namespace archetype

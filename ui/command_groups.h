@@ -1,0 +1,31 @@
+// The parts of the command table, one file each.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/command.h"
+
+namespace archetype {
+
+void add_file_commands(std::vector<Command>& commands);
+void add_edit_commands(std::vector<Command>& commands);
+void add_template_commands(std::vector<Command>& commands);
+void add_part_commands(std::vector<Command>& commands);
+void add_view_commands(std::vector<Command>& commands);
+void add_fit_commands(std::vector<Command>& commands);
+void add_help_commands(std::vector<Command>& commands);
+
+// Shared conditions, for Command::why_not: a hint on what to do first, or "".
+std::string needs_collection(const Studio& studio);
+std::string needs_shape(const Studio& studio);
+std::string needs_template(const Studio& studio);
+std::string needs_part(const Studio& studio);
+std::string needs_fit(const Studio& studio);  // of the active template as it is, to the shape in view
+
+// Arguments of scripts. Throw Error with what was expected.
+double number_argument(Arguments arguments, std::size_t index, std::string_view what);
+// All arguments from `first` on as one text with blanks, so that names need no quotes.
+std::string text_argument(Arguments arguments, std::size_t first, std::string_view what);
+
+}  // namespace archetype

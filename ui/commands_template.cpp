@@ -1,0 +1,149 @@
+// The menu Template: whole templates.
+#include "core/base/error.h"
+#include "core/io/template_file.h"
+#include "core/session/actions.h"
+#include "ui/command_groups.h"
+#include "ui/file_browser.h"
+#include "ui/project_actions.h"
+#include "ui/studio.h"
+
+namespace archetype {
+namespace {
+
+void new_template(Studio& studio, Arguments arguments) {
+  PartTemplate part_template;
+  part_template.name = arguments.empty() ? "template" : text_argument(arguments, 0, "a name");
+  add_template(studio.history, std::move(part_template), "New template");
+  studio.ui.part.reset();
+}
+
+void start_from(Studio& studio, Arguments arguments) {
+  const std::string name = text_argument(arguments, 0, "the name of a starting template");
+  const std::filesystem::path path = starting_template_path(studio, name);
+  if (!path.empty()) {
+    load_template(studio, path);
+    return;
+  }
+  std::string known;
+  for (const std::string& each : starting_templates(studio)) known += (known.empty() ? "" : ", ") + each;
+  throw Error("there is no starting template \"" + name + "\"; there are " + known);
+}
+
+void load_command(Studio& studio, Arguments arguments) {
+  if (arguments.empty())
+    browse(studio, {.command = "load-template", .title = "Load a template", .ending = ".json"});
+  else
+    load_template(studio, text_argument(arguments, 0, "a template file"));
+}
+
+void save_command(Studio& studio, Arguments arguments) {
+  if (arguments.empty())
+    browse(studio,
+           {.command = "save-template", .title = "Save the template as", .saving = true, .ending = ".json"});
+  else
+    save_template(studio, text_argument(arguments, 0, "a path"));
+}
+
+void rename_command(Studio& studio, Arguments arguments) {
+  rename_active_template(studio.history, text_argument(arguments, 0, "a name"));
+}
+
+void duplicate_command(Studio& studio, Arguments) {
+  duplicate_active_template(studio.history);
+}
+
+void delete_command(Studio& studio, Arguments) {
+  remove_active_template(studio.history);
+  studio.ui.part.reset();
+}
+
+void select_command(Studio& studio, Arguments arguments) {
+  const std::string name = text_argument(arguments, 0, "the name of a template");
+  const auto& templates = studio.history.committed().templates;
+  for (std::size_t i = 0; i < templates.size(); ++i) {
+    if (templates[i]->name != name) continue;
+    select_template(studio.history, i);
+    studio.ui.part.reset();
+    return;
+  }
+  throw Error("there is no template \"" + name + "\"");
+}
+
+void adopt_command(Studio& studio, Arguments) {
+  adopt_fitted_boxes(studio.history, studio.shape.fit->fit);
+}
+
+void learn_command(Studio& studio, Arguments) {
+  learn_features(studio.history, *studio.shape.samples, studio.shape.fit->fit);
+}
+
+void forget_command(Studio& studio, Arguments) {
+  forget_features(studio.history);
+}
+
+}  // namespace
+
+void add_template_commands(std::vector<Command>& commands) {
+  commands.insert(commands.end(), {
+                                      {.name = "new-template",
+                                       .title = "New template",
+                                       .menu = "Template",
+                                       .key = "Ctrl+N",
+                                       .arguments = "[NAME]",
+                                       .run = new_template},
+                                      {.name = "start-template",
+                                       .title = "Start from a template that comes with the program",
+                                       .arguments = "NAME",
+                                       .run = start_from},
+                                      {.name = "load-template",
+                                       .title = "Load template…",
+                                       .menu = "Template",
+                                       .arguments = "[FILE.json]",
+                                       .run = load_command},
+                                      {.name = "save-template",
+                                       .title = "Save template as…",
+                                       .menu = "Template",
+                                       .arguments = "[FILE.json]",
+                                       .run = save_command,
+                                       .why_not = needs_template},
+                                      {.name = "select-template",
+                                       .title = "Switch to a template",
+                                       .arguments = "NAME",
+                                       .run = select_command,
+                                       .why_not = needs_template},
+                                      {.name = "rename-template",
+                                       .title = "Rename the template",
+                                       .arguments = "NAME",
+                                       .run = rename_command,
+                                       .why_not = needs_template},
+                                      {.name = "duplicate-template",
+                                       .title = "Duplicate template",
+                                       .menu = "Template",
+                                       .run = duplicate_command,
+                                       .why_not = needs_template,
+                                       .separator = true},
+                                      {.name = "delete-template",
+                                       .title = "Delete template",
+                                       .menu = "Template",
+                                       .run = delete_command,
+                                       .why_not = needs_template},
+                                      {.name = "adopt-fit",
+                                       .title = "Take the boxes of the fit",
+                                       .menu = "Template",
+                                       .run = adopt_command,
+                                       .why_not = needs_fit,
+                                       .separator = true},
+                                      {.name = "learn-features",
+                                       .title = "Learn features from the shape",
+                                       .menu = "Template",
+                                       .run = learn_command,
+                                       .why_not = needs_fit},
+                                      {.name = "forget-features",
+                                       .title = "Forget features",
+                                       .menu = "Template",
+                                       .run = forget_command,
+                                       .why_not = needs_template},
+                                  });
+}
+
+}  // namespace archetype

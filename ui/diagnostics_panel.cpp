@@ -1,0 +1,50 @@
+// What the program measures of itself.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "ui/panels.h"
+#include "ui/studio.h"
+#include "ui/widgets.h"
+
+namespace archetype {
+namespace {
+
+void line(const Studio& studio, const char* name, const std::string& value) {
+  muted_text(studio, name);
+  ImGui::SameLine(170 * studio.fonts.scale);
+  ImGui::TextUnformatted(value.c_str());
+}
+
+std::string milliseconds(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f ms", value);
+  return text;
+}
+
+}  // namespace
+
+void draw_diagnostics_panel(Studio& studio) {
+  const auto median = studio.latency.percentile(0.5);
+  if (median) {
+    line(studio, "Edit to displayed fit",
+         "median " + milliseconds(*median) + ", 95th percentile " +
+             milliseconds(*studio.latency.percentile(0.95)) + ", of " +
+             std::to_string(studio.latency.milliseconds().size()) + " edits");
+  } else {
+    line(studio, "Edit to displayed fit", "not measured yet: drag a box of a shape in view");
+  }
+  line(studio, "Last fit",
+       milliseconds(studio.live_fit.fit_milliseconds) + ", labels of the faces " +
+           milliseconds(studio.live_fit.label_milliseconds));
+  line(studio, "Frames", milliseconds(1000.0 / std::max(1.0f, ImGui::GetIO().Framerate)) + " each");
+  if (!median) return;
+  const std::vector<float> values(studio.latency.milliseconds().begin(), studio.latency.milliseconds().end());
+  ImGui::PlotLines("##latency", values.data(), static_cast<int>(values.size()), 0, nullptr, 0, 200,
+                   {ImGui::GetContentRegionAvail().x, 48 * studio.fonts.scale});
+  tooltip("Milliseconds from an edit to its fit on the screen, newest on the right; the height is 200 ms.");
+}
+
+}  // namespace archetype

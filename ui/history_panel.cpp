@@ -1,0 +1,31 @@
+// Every step that can be undone; a click goes there.
+#include <imgui.h>
+
+#include "ui/panels.h"
+#include "ui/studio.h"
+#include "ui/widgets.h"
+
+namespace archetype {
+
+void draw_history_panel(Studio& studio) {
+  const auto& entries = studio.history.entries();
+  std::size_t wanted = studio.history.position();
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(entries.size()));
+  while (clipper.Step()) {
+    for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
+      const auto entry = static_cast<std::size_t>(row);
+      const bool undone = entry > studio.history.position();
+      ImGui::PushID(row);
+      if (undone) ImGui::PushStyleColor(ImGuiCol_Text, colours(studio).muted);
+      if (ImGui::Selectable(entries[entry].message.c_str(), entry == studio.history.position()))
+        wanted = entry;
+      if (undone) ImGui::PopStyleColor();
+      mark_target(studio, "history:" + std::to_string(entry));
+      ImGui::PopID();
+    }
+  }
+  if (wanted != studio.history.position()) studio.history.jump(wanted);
+}
+
+}  // namespace archetype

@@ -1,0 +1,52 @@
+#include "ui/imgui_session.h"
+
+#include <imgui_impl_opengl3.h>
+
+#include <cmath>
+
+#include "ui/frame.h"
+#include "ui/shortcuts.h"
+#include "ui/studio.h"
+
+namespace archetype {
+
+ImGuiSession::ImGuiSession() : context_(ImGui::CreateContext()) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // the program's own settings say where things stand
+  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  io.ConfigWindowsMoveFromTitleBarOnly = true;
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+ImGuiSession::~ImGuiSession() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui::DestroyContext(context_);
+}
+
+void ImGuiSession::follow_settings(Studio& studio, float screen_scale) {
+  const auto own_scale = static_cast<float>(studio.settings.ui_scale);
+  const float scale = own_scale > 0 ? own_scale : screen_scale;
+  const bool other_scale = !studio.fonts.regular || std::abs(studio.fonts.scale - scale) > 0.01f;
+  if (!studio.wanted_fonts && !other_scale) return;
+  studio.wanted_fonts = false;
+  studio.theme = parse_theme(studio.settings.theme);
+  apply_theme(studio.theme, scale);
+  if (!other_scale) return;
+  studio.fonts = load_fonts(scale);
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
+  for (const std::string& font : studio.fonts.missing)
+    studio.messages.note("font " + font +
+                         " is missing; install fonts-roboto-unhinted and fonts-font-awesome");
+}
+
+void build_frame(Studio& studio) {
+  begin_frame(studio);
+  ImGui::NewFrame();
+  run_shortcuts(studio);
+  draw_frame(studio);
+  end_frame(studio);
+  ImGui::Render();
+}
+
+}  // namespace archetype

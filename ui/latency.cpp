@@ -1,0 +1,42 @@
+#include "ui/latency.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace archetype {
+
+void LatencyMeter::edited(std::uint64_t revision, Clock::time_point at) {
+  constexpr std::size_t most_open = 10'000;  // nothing answers them: no shape is in view
+  open_.push_back({revision, at});
+  if (open_.size() > most_open) open_.pop_front();
+}
+
+void LatencyMeter::displayed(std::uint64_t revision, Clock::time_point at) {
+  constexpr std::size_t kept = 1000;
+  while (!open_.empty() && open_.front().revision <= revision) {
+    answered_.push_back(std::chrono::duration<double, std::milli>(at - open_.front().at).count());
+    open_.pop_front();
+    if (answered_.size() > kept) answered_.pop_front();
+  }
+}
+
+void LatencyMeter::forget_open() {
+  open_.clear();
+}
+
+void LatencyMeter::clear() {
+  open_.clear();
+  answered_.clear();
+}
+
+std::optional<double> LatencyMeter::percentile(double share) const {
+  if (answered_.empty()) return std::nullopt;
+  std::vector<double> sorted(answered_.begin(), answered_.end());
+  const double rank = std::ceil(share * static_cast<double>(sorted.size())) - 1;
+  const auto index =
+      static_cast<std::ptrdiff_t>(std::clamp(rank, 0.0, static_cast<double>(sorted.size() - 1)));
+  std::nth_element(sorted.begin(), sorted.begin() + index, sorted.end());
+  return sorted[static_cast<std::size_t>(index)];
+}
+
+}  // namespace archetype

@@ -1,0 +1,54 @@
+// The fit of the shape in view, computed beside the window while a box is dragged or a number typed.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "core/fitting/fit_options.h"
+#include "core/geometry/polygon_mesh.h"
+#include "core/session/latest_worker.h"
+#include "ui/shape_in_view.h"
+
+namespace archetype {
+
+struct LiveFitRequest {
+  std::shared_ptr<const PartTemplate> part_template;
+  std::shared_ptr<const ShapeSamples> samples;
+  std::shared_ptr<const PolygonMesh> mesh;  // null: the elements are not labelled
+  std::shared_ptr<const ViewFit> start;     // of the same shape: fitted on from there while a drag goes on
+  bool dragging = false;                    // false: all yaws are tried anew
+  FitOptions options;
+  std::uint64_t document_revision = 0;  // history.revision() of the template
+  std::uint64_t shape_revision = 0;     // of the shape in view
+};
+
+struct LiveFitResult {
+  std::shared_ptr<const ViewFit> fit;  // null: it failed, see problem
+  std::string problem;
+  std::uint64_t document_revision = 0;
+  std::uint64_t shape_revision = 0;
+  double fit_milliseconds = 0;
+  double label_milliseconds = 0;
+};
+
+// What the worker runs; nothing when cancelled.
+std::optional<LiveFitResult> run_live_fit(const LiveFitRequest& request, const JobControl& control);
+
+using LiveFitWorker = LatestWorker<LiveFitRequest, LiveFitResult>;
+
+struct LiveFit {
+  explicit LiveFit(std::function<void()> wake) : worker(run_live_fit, std::move(wake)) {}
+
+  LiveFitWorker worker;
+  std::uint64_t asked_document = 0;  // of the newest request
+  std::uint64_t asked_shape = 0;
+  bool asked_dragging = false;
+  std::uint64_t shown_document = 0;  // of the fit that the next frame shows
+  bool newly_shown = false;          // the frame being drawn is the first with it
+  double fit_milliseconds = 0;       // of the newest result
+  double label_milliseconds = 0;
+};
+
+}  // namespace archetype

@@ -1,0 +1,50 @@
+// The menus: the command table, in its order.
+#include <imgui.h>
+
+#include "ui/panels.h"
+#include "ui/project_actions.h"
+#include "ui/studio.h"
+#include "ui/widgets.h"
+
+namespace archetype {
+namespace {
+
+void draw_recent(Studio& studio) {
+  if (!ImGui::BeginMenu("Open recent", !studio.settings.recent.empty())) return;
+  const std::vector<std::string> recent = studio.settings.recent;  // opening one changes the list
+  for (const std::string& path : recent) {
+    const std::string arguments[] = {path};
+    if (ImGui::MenuItem(path.c_str())) run_command(studio, "open", arguments);
+  }
+  ImGui::EndMenu();
+}
+
+void draw_starting_templates(Studio& studio) {
+  if (!ImGui::BeginMenu("Start from")) return;
+  for (const std::string& name : starting_templates(studio)) {
+    const std::string arguments[] = {name};
+    if (ImGui::MenuItem(name.c_str())) run_command(studio, "start-template", arguments);
+  }
+  ImGui::EndMenu();
+}
+
+}  // namespace
+
+void draw_menu_bar(Studio& studio) {
+  if (!ImGui::BeginMainMenuBar()) return;
+  for (const char* menu : {"File", "Edit", "Template", "Part", "Shape", "View", "Window", "Help"}) {
+    const bool open = ImGui::BeginMenu(menu);
+    mark_target(studio, std::string("menu:") + menu);
+    if (!open) continue;
+    for (const Command& command : studio.commands) {
+      if (command.menu != menu) continue;
+      command_menu_item(studio, command);
+      if (command.name == "open-project") draw_recent(studio);
+      if (command.name == "new-template") draw_starting_templates(studio);
+    }
+    ImGui::EndMenu();
+  }
+  ImGui::EndMainMenuBar();
+}
+
+}  // namespace archetype

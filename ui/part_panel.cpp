@@ -1,0 +1,150 @@
+// The numbers of the selected part. A number is dragged or typed; while that goes on the fit follows, and it
+// becomes one step of the history.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <array>
+#include <functional>
+
+#include "core/session/actions.h"
+#include "ui/box_angles.h"
+#include "ui/panels.h"
+#include "ui/studio.h"
+#include "ui/widgets.h"
+
+namespace archetype {
+namespace {
+
+using Apply = std::function<void(const Vec3&, Stage)>;
+
+void row_label(const Studio& studio, const char* name, const char* hint) {
+  ImGui::AlignTextToFramePadding();
+  muted_text(studio, name);
+  if (hint) tooltip(hint);
+  ImGui::SameLine(84 * studio.fonts.scale);
+}
+
+// Three fields; every change while one is held is live, letting go ends the edit.
+void vector_row(Studio& studio, const char* name, const char* hint, const Vec3& value, float speed,
+                const char* format, const Apply& apply) {
+  row_label(studio, name, hint);
+  const float gap = 4 * studio.fonts.scale;
+  const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+  ImGui::PushID(name);
+  Vec3 edited = value;
+  bool changed = false;
+  bool over = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis > 0) ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(width);
+    ImGui::PushID(axis);
+    changed |=
+        ImGui::DragScalar("##value", ImGuiDataType_Double, &edited[axis], speed, nullptr, nullptr, format);
+    over |= ImGui::IsItemDeactivatedAfterEdit();
+    mark_target(studio, std::string("field:") + name + "." + "xyz"[axis]);
+    ImGui::PopID();
+  }
+  ImGui::PopID();
+  if (over)
+    apply(edited, Stage::done);
+  else if (changed)
+    apply(edited, Stage::live);
+}
+
+void name_row(Studio& studio, std::size_t part, const TemplatePart& shown) {
+  row_label(studio, "Name", nullptr);
+  std::string name = shown.name;
+  ImGui::SetNextItemWidth(-1);
+  ImGui::PushID(static_cast<int>(part));  // the field starts anew with each part
+  ImGui::InputText("##name", &name);
+  mark_target(studio, "field:Name");
+  const bool renamed = ImGui::IsItemDeactivatedAfterEdit() && !name.empty();
+  ImGui::PopID();
+  if (renamed) rename_part(studio.history, part, name);
+}
+
+void label_row(Studio& studio, std::size_t part, const TemplatePart& shown) {
+  row_label(studio, "Label", "The number written to label files. Parts may share one: four legs, one label.");
+  int label = shown.label;
+  ImGui::SetNextItemWidth(86 * studio.fonts.scale);
+  ImGui::PushID(static_cast<int>(part));
+  const bool changed = ImGui::InputInt("##label", &label);
+  mark_target(studio, "field:Label");
+  ImGui::PopID();
+  if (changed && label >= 0) set_part_label(studio.history, part, label);
+  ImGui::SameLine(0, 14 * studio.fonts.scale);
+  bool must_exist = shown.must_exist;
+  if (ImGui::Checkbox("Must exist", &must_exist)) set_must_exist(studio.history, part, must_exist);
+  mark_target(studio, "field:Must exist");
+  tooltip("A fit without this part is no fit.");
+}
+
+void existence_row(Studio& studio, std::size_t part, const TemplatePart& shown) {
+  row_label(studio, "Existence", "The share of the shapes that have this part.");
+  double percent = 100 * shown.existence;
+  ImGui::SetNextItemWidth(-1);
+  const double low = 0.1;
+  const double high = 100;
+  const bool changed = ImGui::SliderScalar("##existence", ImGuiDataType_Double, &percent, &low, &high,
+                                           "%.0f %%", ImGuiSliderFlags_AlwaysClamp);
+  mark_target(studio, "field:Existence");
+  if (ImGui::IsItemDeactivatedAfterEdit())
+    set_existence(studio.history, part, percent / 100, Stage::done);
+  else if (changed)
+    set_existence(studio.history, part, percent / 100, Stage::live);
+}
+
+void box_rows(Studio& studio, std::size_t part, const Box& box) {
+  const float speed = 0.004f;  // normalised units per pixel: a drag over a panel is about the size of a shape
+  vector_row(studio, "Centre",
+             "Mean centre of the box, in normalised units: the samples lie 1 from the centre of the "
+             "shape on average.",
+             box.centre, speed, "%.3f", [&](const Vec3& centre, Stage stage) {
+               Box moved = box;
+               moved.centre = centre;
+               set_part_box(studio.history, part, moved, stage);
+             });
+  vector_row(studio, "Half size", "Mean half extents along the axes of the box.", box.half_extent, speed,
+             "%.3f", [&](const Vec3& half_extent, Stage stage) {
+               Box sized = box;
+               sized.half_extent = half_extent;
+               set_part_box(studio.history, part, sized, stage);
+             });
+  vector_row(studio, "Rotation", "Degrees about x, then y, then z.", degrees_of_orientation(box.orientation),
+             0.5f, "%.1f°", [&](const Vec3& degrees, Stage stage) {
+               Box turned = box;
+               turned.orientation = orientation_of_degrees(degrees);
+               set_part_box(studio.history, part, turned, stage);
+             });
+}
+
+}  // namespace
+
+void draw_part_panel(Studio& studio) {
+  const auto shared = studio.history.current();  // an edit may replace the template while it is being drawn
+  const PartTemplate* active = shared.active_template();
+  if (!active || !studio.ui.part || *studio.ui.part >= active->parts.size()) {
+    if (active && !active->parts.empty()) {
+      section_title(studio, "Part");
+      muted_paragraph(studio,
+                      "Click a part in the list, or its box in the view, to see and type its numbers.");
+    }
+    return;
+  }
+  const std::size_t part = *studio.ui.part;
+  const TemplatePart& shown = active->parts[part];
+  section_title(studio, "Part");
+  name_row(studio, part, shown);
+  label_row(studio, part, shown);
+  existence_row(studio, part, shown);
+  box_rows(studio, part, shown.mean_box());
+  const float speed = 0.002f;
+  vector_row(studio, "± centre", "Standard deviation of the centre: how far it may lie elsewhere.",
+             shown.position.stddev, speed, "%.3f", [&](const Vec3& stddev, Stage stage) {
+               set_position_stddev(studio.history, part, stddev, stage);
+             });
+  vector_row(studio, "± size", "Standard deviation of the half extents.", shown.scale.stddev, speed, "%.3f",
+             [&](const Vec3& stddev, Stage stage) { set_scale_stddev(studio.history, part, stddev, stage); });
+}
+
+}  // namespace archetype

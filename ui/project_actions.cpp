@@ -1,0 +1,258 @@
+#include "ui/project_actions.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/generate/generate.h"
+#include "core/io/read_shape.h"
+#include "core/io/template_file.h"
+#include "core/session/actions.h"
+#include "core/session/fit_collection.h"
+#include "ui/studio.h"
+
+namespace archetype {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string plural(std::size_t count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+void warn_of_refused(Studio& studio, const std::vector<RefusedInput>& refused) {
+  for (const RefusedInput& input : refused) studio.messages.warn(input.path.string() + ": " + input.reason);
+}
+
+// What a job read of a project that is to be shown.
+struct OpenedProject {
+  fs::path path;
+  std::string title;
+  bool untitled = false;
+  CollectionRows content;
+  Document document;
+  std::vector<Credit> credits;
+};
+
+OpenedProject read_project(const fs::path& path, const std::string& title) {
+  const Project project = Project::open(path);
+  OpenedProject opened;
+  opened.path = path;
+  opened.title = title;
+  opened.content = read_rows(project);
+  opened.document = read_document(project);
+  if (const auto folder = project.setting("studio.folder")) opened.credits = read_credits(*folder);
+  return opened;
+}
+
+void put_into_view(Studio& studio, OpenedProject opened) {
+  studio.collection.path = std::move(opened.path);
+  studio.collection.title = std::move(opened.title);
+  studio.collection.untitled = opened.untitled;
+  studio.collection.content = std::move(opened.content);
+  ++studio.collection.revision;
+  studio.credits = std::move(opened.credits);
+  // Templates that were made before anything was open come along.
+  if (opened.document.templates.empty()) opened.document = studio.history.committed();
+  studio.history = History(std::move(opened.document), "Open " + studio.collection.title);
+  studio.edited_revision = studio.saved_revision = studio.history.revision();
+  studio.ui.part.reset();
+  studio.ui.grid = {};
+  show_shape(studio, std::nullopt);
+  if (!studio.collection.rows().empty()) show_shape(studio, studio.collection.rows()[0].id);
+}
+
+std::string summary(const ImportReport& report) {
+  std::string text = plural(report.imported, "shape") + " read";
+  if (report.unchanged > 0) text += ", " + std::to_string(report.unchanged) + " were there already";
+  if (!report.refused.empty())
+    text += ", " + std::to_string(report.refused.size()) + " refused (see messages)";
+  return text + (report.cancelled ? "; stopped, open the folder again to go on" : "");
+}
+
+void start_import(Studio& studio, std::vector<fs::path> paths, bool fit_then = false) {
+  const fs::path project_path = studio.collection.path;
+  ImportOptions options;
+  options.threads = static_cast<unsigned>(studio.settings.threads);
+  const std::string title = "Import " + paths.front().filename().string();
+  studio.jobs.start(
+      title,
+      [&studio, project_path, paths = std::move(paths), options,
+       fit_then](const JobControl& control) -> Jobs::Apply {
+        Project project = Project::open(project_path);
+        ImportReport report = import_shapes(project, paths, options, control);
+        return [&studio, project_path, fit_then, report = std::move(report)] {
+          warn_of_refused(studio, report.refused);
+          for (const std::string& warning : report.warnings) studio.messages.note(warning);
+          if (report.imported > 0 || !report.refused.empty()) say(studio, Severity::note, summary(report));
+          const bool still_open = studio.collection.path == project_path;
+          if (fit_then && !report.cancelled && still_open && studio.history.committed().active_template())
+            fit_all(studio);
+        };
+      });
+}
+
+// Prepares the folder (unpacks or generates it, say) beside the window, then shows its project and imports
+// it. `starting_template`, if given, is what a project without a template begins with, fitted to all shapes.
+void open_prepared_folder(Studio& studio, const fs::path& folder, const std::string& title,
+                          const fs::path& starting_template, std::function<bool(const JobControl&)> prepare) {
+  const fs::path path = untitled_project_path(studio.options.folders.data, folder);
+  studio.jobs.start("Open " + title,
+                    [&studio, path, folder, title, starting_template,
+                     prepare = std::move(prepare)](const JobControl& control) -> Jobs::Apply {
+                      if (prepare && !prepare(control)) return {};
+                      fs::create_directories(path.parent_path());
+                      Project::open_or_create(path).set_setting("studio.folder",
+                                                                fs::absolute(folder).string());
+                      OpenedProject opened = read_project(path, title);
+                      opened.untitled = true;
+                      const bool first_time = opened.document.templates.empty() && !starting_template.empty();
+                      if (first_time)
+                        opened.document.templates.push_back(
+                            std::make_shared<const PartTemplate>(read_template(starting_template)));
+                      return [&studio, folder, first_time, opened = std::move(opened)]() mutable {
+                        put_into_view(studio, std::move(opened));
+                        start_import(studio, {folder}, first_time);
+                      };
+                    });
+}
+
+}  // namespace
+
+void open_folder(Studio& studio, const fs::path& folder) {
+  const fs::path absolute = fs::absolute(folder).lexically_normal();
+  if (!fs::is_directory(absolute)) throw FileError(folder, "there is no such folder");
+  const fs::path name = absolute.has_filename() ? absolute.filename() : absolute.parent_path().filename();
+  remember_recent(studio.settings, absolute);
+  open_prepared_folder(studio, absolute, name.string(), {}, {});
+}
+
+void open_project(Studio& studio, const fs::path& path) {
+  const fs::path absolute = fs::absolute(path).lexically_normal();
+  if (!fs::exists(absolute)) throw FileError(path, "there is no such project");
+  remember_recent(studio.settings, absolute);
+  const std::string title = absolute.stem().string();
+  studio.jobs.start("Open " + title, [&studio, absolute, title](const JobControl&) -> Jobs::Apply {
+    return [&studio, opened = read_project(absolute, title)]() mutable {
+      put_into_view(studio, std::move(opened));
+    };
+  });
+}
+
+void add_shapes(Studio& studio, const std::vector<fs::path>& paths) {
+  for (const fs::path& path : paths)
+    if (!fs::exists(path)) throw FileError(path, "there is no such file or folder");
+  if (!studio.collection.open()) throw Error("open a folder or a project first: shapes are added to it");
+  start_import(studio, paths);
+}
+
+void open_path(Studio& studio, const fs::path& path) {
+  if (fs::is_directory(path)) {
+    open_folder(studio, path);
+  } else if (path.extension() == ".archetype") {
+    open_project(studio, path);
+  } else if (path.extension() == ".json") {
+    load_template(studio, path);
+  } else if (has_shape_ending(path)) {
+    if (studio.collection.open())
+      add_shapes(studio, {path});
+    else
+      open_folder(studio, fs::absolute(path).parent_path());
+  } else if (!fs::exists(path)) {
+    throw FileError(path, "there is no such file or folder");
+  } else {
+    throw InputError(path, "", "expected a folder, a project (.archetype), a template (.json) or a shape");
+  }
+}
+
+void save_project_as(Studio& studio, const fs::path& wanted) {
+  fs::path path = fs::absolute(wanted).lexically_normal();
+  if (path.extension() != ".archetype") path += ".archetype";
+  if (fs::exists(path)) throw FileError(path, "exists already; choose another name");
+  const fs::path from = studio.collection.path;
+  studio.jobs.start(
+      "Save as " + path.filename().string(),
+      [&studio, from, path, document = studio.history.committed()](const JobControl& control) -> Jobs::Apply {
+        if (const auto problem = save_document({from, document}, control); problem && !problem->empty())
+          throw Error(*problem);
+        Project::open(from).copy_to(path);
+        return [&studio, path] {
+          studio.collection.path = path;
+          studio.collection.title = path.stem().string();
+          studio.collection.untitled = false;
+          remember_recent(studio.settings, path);
+          say(studio, Severity::note, "Saved as " + path.string());
+        };
+      });
+}
+
+void fit_all(Studio& studio) {
+  const PartTemplate part_template = *studio.history.committed().active_template();
+  const fs::path path = studio.collection.path;
+  const auto threads = static_cast<unsigned>(studio.settings.threads);
+  studio.jobs.start(
+      "Fit " + part_template.name + " to all shapes",
+      [&studio, part_template, path, threads](const JobControl& control) -> Jobs::Apply {
+        Project project = Project::open(path);
+        const FitCollectionReport report = fit_collection(project, {part_template}, {}, threads, control);
+        return [&studio, report] {
+          warn_of_refused(studio, report.refused);
+          std::string text = plural(report.fitted, "shape") + " fitted";
+          if (report.kept > 0) text += ", " + std::to_string(report.kept) + " were up to date";
+          if (!report.refused.empty()) text += ", " + std::to_string(report.refused.size()) + " could not be";
+          say(studio, Severity::note, text + (report.cancelled ? "; stopped, fit again to go on" : ""));
+        };
+      });
+}
+
+void open_seats(Studio& studio) {
+  const fs::path folder = studio.options.folders.cache / "collections" / "sweethome3d-seats";
+  const fs::path furniture = studio.options.furniture;
+  open_prepared_folder(
+      studio, folder, "Seats of Sweet Home 3D", starting_template_path(studio, "chair"),
+      [furniture, folder](const JobControl& control) { return extract_seats(furniture, folder, control); });
+}
+
+void open_generated(Studio& studio, const std::string& family, std::size_t count) {
+  const FamilyNames names = family_names(family);  // throws for an unknown one
+  GenerateOptions options;
+  options.count = count;
+  options.yaw = YawChoice::quarters;
+  options.threads = static_cast<unsigned>(studio.settings.threads);
+  const fs::path folder =
+      studio.options.folders.cache / "collections" / (names.name + "-" + std::to_string(count));
+  const std::string one = names.name.substr(0, names.name.size() - 1);  // "chairs" -> "chair"
+  open_prepared_folder(studio, folder, "Generated " + names.name, starting_template_path(studio, one),
+                       [=](const JobControl& control) {
+                         return !write_collection(names.name, options, folder, control).cancelled;
+                       });
+}
+
+std::vector<std::string> starting_templates(const Studio& studio) {
+  std::vector<std::string> names;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(studio.options.assets / "templates", none))
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+fs::path starting_template_path(const Studio& studio, const std::string& name) {
+  const fs::path path = studio.options.assets / "templates" / (fs::path(name).filename().string() + ".json");
+  return fs::exists(path) ? path : fs::path();
+}
+
+void load_template(Studio& studio, const fs::path& path) {
+  PartTemplate part_template = read_template(path);
+  add_template(studio.history, std::move(part_template), "Load template " + path.filename().string());
+  studio.ui.part.reset();
+}
+
+void save_template(Studio& studio, const fs::path& wanted) {
+  fs::path path = wanted;
+  if (path.extension() != ".json") path += ".json";
+  write_template(path, *studio.history.committed().active_template());
+  say(studio, Severity::note, "Template saved as " + path.string());
+}
+
+}  // namespace archetype

@@ -1,0 +1,44 @@
+// What is done with whole projects: opened, imported into, fitted, saved elsewhere. All of it runs as jobs.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/session/import_shapes.h"
+
+namespace archetype {
+
+struct Studio;
+
+// Opens whatever the path is: a folder of shapes, a project, a template, or a shape that is added to the
+// collection. Throws Error if it is none of these.
+void open_path(Studio& studio, const std::filesystem::path& path);
+
+// An untitled project that belongs to the folder; what was imported from it before is there at once, and what
+// is new is read beside.
+void open_folder(Studio& studio, const std::filesystem::path& folder);
+void open_project(Studio& studio, const std::filesystem::path& path);
+void add_shapes(Studio& studio, const std::vector<std::filesystem::path>& paths);
+
+// Copies the project; the copy is the one that is worked on from then on.
+void save_project_as(Studio& studio, const std::filesystem::path& path);
+
+// The active template on every shape; results come into the grid as they are made.
+void fit_all(Studio& studio);
+
+// Extracts the seats of Sweet Home 3D from Debian's package once, then opens them. A message says what to
+// install where the package is missing.
+void open_seats(Studio& studio);
+// Makes a collection with ground truth among the program's own files and opens it.
+void open_generated(Studio& studio, const std::string& family, std::size_t count);
+
+// The names of the templates that come with the program, and the file of one; empty if there is none.
+std::vector<std::string> starting_templates(const Studio& studio);
+std::filesystem::path starting_template_path(const Studio& studio, const std::string& name);
+
+// Throws Error where the file cannot be read or written.
+void load_template(Studio& studio, const std::filesystem::path& path);
+void save_template(Studio& studio, const std::filesystem::path& path);
+
+}  // namespace archetype

@@ -1,0 +1,31 @@
+#include "ui/shortcuts.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "ui/studio.h"
+
+namespace archetype {
+namespace {
+
+bool is_for_text_field(const Studio& studio, const KeyChord& chord) {
+  if (!ImGui::GetIO().WantTextInput || works_in_text_fields(chord)) return false;
+  // In the palette and the file browser Esc closes the window; elsewhere it takes back what was typed.
+  return chord.key != "Escape" || (!studio.ui.palette.open && !studio.ui.browser.open);
+}
+
+}  // namespace
+
+void run_shortcuts(Studio& studio) {
+  for (const KeyChord& chord : std::exchange(studio.pressed_keys, {})) {
+    if (is_for_text_field(studio, chord)) continue;
+    const std::string text = to_string(chord);
+    const auto command = std::find_if(studio.commands.begin(), studio.commands.end(),
+                                      [&](const Command& each) { return key_of(studio, each) == text; });
+    if (command != studio.commands.end()) run_command(studio, command->name);
+  }
+}
+
+}  // namespace archetype

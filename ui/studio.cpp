@@ -1,0 +1,193 @@
+// What goes on from frame to frame: results are taken over, new work is handed out.
+#include "ui/studio.h"
+
+#include <utility>
+
+namespace archetype {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void take_over_shape(Studio& studio) {
+  std::optional<LoadedShape> loaded = studio.shape_loader.poll();
+  if (!loaded || !loaded->shape.record || studio.ui.shape != loaded->shape.record->id) {
+    if (loaded && !loaded->shape.problem.empty()) studio.messages.error(loaded->shape.problem);
+    return;
+  }
+  const std::uint64_t revision = studio.shape.shape_revision + 1;
+  const std::uint64_t fit_revision = studio.shape.fit_revision + 1;
+  studio.shape = std::move(loaded->shape);
+  studio.shape.shape_revision = revision;
+  studio.shape.fit_revision = fit_revision;
+  if (!studio.shape.problem.empty()) say(studio, Severity::warning, studio.shape.problem);
+}
+
+void take_over_fit(Studio& studio) {
+  LiveFit& live = studio.live_fit;
+  std::optional<LiveFitResult> result = live.worker.poll();
+  if (!result || result->shape_revision != studio.shape.shape_revision) return;
+  if (!result->problem.empty()) say(studio, Severity::error, result->problem);
+  studio.shape.fit = std::move(result->fit);
+  ++studio.shape.fit_revision;
+  live.shown_document = result->document_revision;
+  live.newly_shown = true;
+  live.fit_milliseconds = result->fit_milliseconds;
+  live.label_milliseconds = result->label_milliseconds;
+}
+
+void drop_fit(Studio& studio) {
+  studio.live_fit.worker.cancel();
+  studio.live_fit.asked_document = 0;
+  studio.latency.forget_open();
+  if (!studio.shape.fit) return;
+  studio.shape.fit.reset();
+  ++studio.shape.fit_revision;
+}
+
+// Asks for the fit of what is shown now, once for each state. The end of a drag is a state of its own: then
+// all yaws are tried.
+void ask_for_fit(Studio& studio) {
+  const Document& document = studio.history.current();
+  const PartTemplate* active = document.active_template();
+  if (!active || active->parts.empty() || !studio.shape.samples) {
+    drop_fit(studio);
+    studio.live_fit.asked_shape = studio.shape.shape_revision;
+    return;
+  }
+  LiveFit& live = studio.live_fit;
+  const std::uint64_t revision = studio.history.revision();
+  const bool other_shape = live.asked_shape != studio.shape.shape_revision;
+  if (live.asked_document == revision && !other_shape) return;
+  LiveFitRequest request;
+  request.part_template = document.templates[document.active];
+  request.samples = studio.shape.samples;
+  request.mesh = studio.shape.mesh;
+  request.start = studio.shape.fit;
+  request.dragging = studio.history.has_preview();
+  request.document_revision = revision;
+  request.shape_revision = studio.shape.shape_revision;
+  live.worker.request(std::move(request), other_shape);
+  live.asked_document = revision;
+  live.asked_shape = studio.shape.shape_revision;
+}
+
+// The edit came in with the events that were handled just before this frame.
+void note_edit(Studio& studio) {
+  if (studio.history.revision() == studio.edited_revision) return;
+  studio.edited_revision = studio.history.revision();
+  studio.edited_at = Clock::now();
+  if (studio.shape.samples) studio.latency.edited(studio.edited_revision, studio.frame_start);
+}
+
+void keep_selection_valid(Studio& studio) {
+  const PartTemplate* active = studio.history.current().active_template();
+  if (studio.ui.part && (!active || *studio.ui.part >= active->parts.size())) studio.ui.part.reset();
+}
+
+Navigation parse_navigation(const std::string& name) {
+  return name == "blender" ? Navigation::blender : name == "maya" ? Navigation::maya : Navigation::archetype;
+}
+
+// While something writes to the project, its rows are read anew twice a second.
+void follow_rows(Studio& studio) {
+  if (std::optional<CollectionRows> rows = studio.rows_reader.poll()) {
+    studio.collection.content = std::move(*rows);
+    ++studio.collection.revision;
+    if (!studio.ui.shape && !studio.collection.rows().empty())
+      show_shape(studio, studio.collection.rows()[0].id);
+  }
+  if (!studio.collection.open() || studio.jobs.idle()) return;
+  if (Clock::now() - studio.rows_asked_at < std::chrono::milliseconds(500)) return;
+  studio.rows_asked_at = Clock::now();
+  studio.rows_reader.request(studio.collection.path, false);
+}
+
+// What was edited is in the project file a second after the last edit.
+void autosave(Studio& studio) {
+  if (std::optional<std::string> problem = studio.document_saver.poll(); problem && !problem->empty())
+    say(studio, Severity::error, *problem);
+  if (!studio.collection.open() || studio.history.has_preview()) return;
+  if (studio.saved_revision == studio.history.revision()) return;
+  if (Clock::now() - studio.edited_at < std::chrono::seconds(1)) return;
+  studio.saved_revision = studio.history.revision();
+  studio.document_saver.request({studio.collection.path, studio.history.committed()}, false);
+}
+
+}  // namespace
+
+Studio::Studio(StudioOptions given)
+    : options(std::move(given)),
+      commands(all_commands()),
+      viewport(options.shaders),
+      shape_loader(load_shape, options.wake),
+      rows_reader(reread_rows, options.wake),
+      document_saver(save_document, options.wake),
+      directory_reader(list_directory, options.wake),
+      live_fit(options.wake),
+      thumbnails(options.shaders, options.wake),
+      jobs(options.wake) {}
+
+void begin_frame(Studio& studio) {
+  studio.frame_start = Clock::now();
+  studio.ui.navigation = parse_navigation(studio.settings.navigation);
+  for (const JobView& ended : studio.jobs.poll()) {
+    if (ended.state == JobState::failed) say(studio, Severity::error, ended.title + ": " + ended.error);
+    if (studio.collection.open()) studio.rows_reader.request(studio.collection.path, false);
+  }
+  if (auto listing = studio.directory_reader.poll()) studio.directory = std::move(listing);
+  studio.thumbnails.begin_frame(studio.collection.path);
+  follow_rows(studio);
+  take_over_shape(studio);
+  take_over_fit(studio);
+  keep_selection_valid(studio);
+  if (studio.drag && !advance(*studio.drag, studio.history)) studio.drag.reset();
+}
+
+void end_frame(Studio& studio) {
+  note_edit(studio);
+  keep_selection_valid(studio);
+  ask_for_fit(studio);
+  studio.thumbnails.end_frame();
+  autosave(studio);
+}
+
+void frame_shown(Studio& studio) {
+  if (!std::exchange(studio.live_fit.newly_shown, false)) return;
+  studio.latency.displayed(studio.live_fit.shown_document, Clock::now());
+}
+
+bool settled(const Studio& studio) {
+  return !studio.drag && !studio.wanted_picture && studio.jobs.idle() && studio.shape_loader.idle() &&
+         studio.live_fit.worker.idle() && studio.rows_reader.idle() && studio.directory_reader.idle() &&
+         studio.document_saver.idle() && studio.thumbnails.idle() && !studio.live_fit.newly_shown &&
+         studio.live_fit.asked_shape == studio.shape.shape_revision;
+}
+
+bool wants_frames(const Studio& studio) {
+  return !settled(studio);
+}
+
+const Palette& colours(const Studio& studio) {
+  return palette(studio.theme);
+}
+
+void show_shape(Studio& studio, std::optional<ShapeId> shape) {
+  if (studio.ui.shape == shape && shape) return;
+  studio.ui.shape = shape;
+  if (shape) {
+    studio.shape_loader.request({studio.collection.path, *shape}, true);
+    return;
+  }
+  studio.shape_loader.cancel();
+  ShapeInView none;
+  none.shape_revision = studio.shape.shape_revision + 1;
+  none.fit_revision = studio.shape.fit_revision + 1;
+  studio.shape = std::move(none);
+}
+
+void say(Studio& studio, Severity severity, std::string text) {
+  studio.ui.status = text;
+  studio.messages.add(severity, std::move(text));
+}
+
+}  // namespace archetype

@@ -1,0 +1,108 @@
+// Everything that the window shows and edits, put together. The one argument of panels and commands.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/session/furniture_catalog.h"
+#include "core/session/history.h"
+#include "core/session/jobs.h"
+#include "core/session/messages.h"
+#include "core/session/settings.h"
+#include "core/session/user_folders.h"
+#include "ui/collection.h"
+#include "ui/command.h"
+#include "ui/directory_reader.h"
+#include "ui/fonts.h"
+#include "ui/keys.h"
+#include "ui/latency.h"
+#include "ui/live_fit.h"
+#include "ui/scripted_drag.h"
+#include "ui/shape_in_view.h"
+#include "ui/shape_loader.h"
+#include "ui/theme.h"
+#include "ui/thumbnail_store.h"
+#include "ui/ui_state.h"
+#include "ui/viewport.h"
+
+namespace archetype {
+
+struct StudioOptions {
+  UserFolders folders;
+  std::filesystem::path assets;  // templates/*.json
+  std::filesystem::path shaders;
+  std::filesystem::path furniture = furniture_folder;  // the archives of the bundled collection
+  std::function<void()> wake = {};  // brings the window's loop to draw a frame; called from other threads
+};
+
+// Where something stands in the window that can be clicked; for tests and scripts.
+struct Target {
+  std::string name;
+  float low_x, low_y, high_x, high_y;  // screen units
+};
+
+// Made and destroyed with the window's OpenGL context current: it holds textures.
+struct Studio {
+  explicit Studio(StudioOptions options);
+
+  StudioOptions options;
+  std::vector<Command> commands;
+  Settings settings;
+  Fonts fonts;
+  Theme theme = Theme::dark;
+
+  Collection collection;
+  History history{{}, "Start"};
+  UiState ui;
+  ShapeInView shape;
+  std::vector<Credit> credits;  // of the shapes of the open collection, where they are known
+  Messages messages;
+  ViewportState viewport;
+  LatencyMeter latency;
+  std::vector<Target> targets;         // of the frame drawn last
+  std::vector<KeyChord> pressed_keys;  // since the last frame, in order
+  std::vector<std::string>
+      output;  // lines of commands for standard output; the program prints and clears them
+  std::optional<std::filesystem::path> wanted_picture;  // of the whole window, once the next frame is drawn
+  bool wanted_fonts = true;  // the fonts have to be loaded anew before the next frame
+  std::optional<ScriptedDrag> drag;
+  bool quit = false;
+
+  // Beside the window. Last, so that they are stopped before what they tell of goes.
+  ShapeLoader shape_loader;
+  RowsReader rows_reader;
+  DocumentSaver document_saver;
+  DirectoryReader directory_reader;
+  LiveFit live_fit;
+  ThumbnailStore thumbnails;
+  Jobs jobs;
+
+  std::optional<DirectoryListing> directory;  // of the file browser
+  std::uint64_t saved_revision = 0;           // of the history, as it was last handed to the saver
+  std::uint64_t edited_revision = 0;          // the newest edit that was noted
+  std::chrono::steady_clock::time_point edited_at{};
+  std::chrono::steady_clock::time_point rows_asked_at{};
+  std::chrono::steady_clock::time_point frame_start{};
+};
+
+// Before the panels of a frame: takes over what jobs and workers have ready.
+void begin_frame(Studio& studio);
+// After its panels: hands on what they changed, while the frame is still being drawn.
+void end_frame(Studio& studio);
+// Once the frame is on the screen: for the measurement of the live fit.
+void frame_shown(Studio& studio);
+// Nothing is under way that a script or a screenshot should wait for.
+bool settled(const Studio& studio);
+// Something changes by itself (a job reports, a fit comes in), so that frames go on without events.
+bool wants_frames(const Studio& studio);
+
+const Palette& colours(const Studio& studio);
+// Shows the shape; nothing clears the view.
+void show_shape(Studio& studio, std::optional<ShapeId> shape);
+void say(Studio& studio, Severity severity, std::string text);  // in the messages and the status line
+
+}  // namespace archetype

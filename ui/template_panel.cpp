@@ -1,0 +1,108 @@
+// The templates of the project and the parts of the active one.
+#include <imgui.h>
+
+#include "core/model/part_colours.h"
+#include "ui/icons.h"
+#include "ui/panels.h"
+#include "ui/project_actions.h"
+#include "ui/studio.h"
+#include "ui/widgets.h"
+
+namespace archetype {
+namespace {
+
+void draw_empty(Studio& studio) {
+  muted_paragraph(
+      studio,
+      "A template says which parts a shape has: boxes with a mean place and size and how much each "
+      "varies. Start from one that is there, or from nothing.");
+  const std::vector<std::string> names = starting_templates(studio);
+  const float width = share_of_width(2);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i % 2 == 1) ImGui::SameLine();
+    const std::string arguments[] = {names[i]};
+    if (ImGui::Button(names[i].c_str(), {width, 0})) run_command(studio, "start-template", arguments);
+    mark_target(studio, "start:" + names[i]);
+  }
+  command_button(studio, "new-template", std::string(icon::plus) + "  Empty", {width, 0});
+  ImGui::SameLine();
+  command_button(studio, "load-template", std::string(icon::folder_open) + "  Load…", {width, 0});
+}
+
+void draw_templates(Studio& studio, const Document& document) {
+  const float buttons = 4 * (ImGui::GetFrameHeight() * 1.15f + ImGui::GetStyle().ItemSpacing.x);
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - buttons);
+  if (ImGui::BeginCombo("##template", document.active_template()->name.c_str())) {
+    for (std::size_t i = 0; i < document.templates.size(); ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      if (ImGui::Selectable(document.templates[i]->name.c_str(), i == document.active)) {
+        const std::string arguments[] = {document.templates[i]->name};
+        run_command(studio, "select-template", arguments);
+      }
+      ImGui::PopID();
+    }
+    ImGui::EndCombo();
+  }
+  mark_target(studio, "template:choose");
+  const ImVec2 size(ImGui::GetFrameHeight() * 1.15f, 0);
+  ImGui::SameLine();
+  command_button(studio, "new-template", icon::plus, size);
+  ImGui::SameLine();
+  command_button(studio, "load-template", icon::folder_open, size);
+  ImGui::SameLine();
+  command_button(studio, "save-template", icon::save, size);
+  ImGui::SameLine();
+  command_button(studio, "delete-template", icon::trash, size);
+}
+
+void draw_part_row(Studio& studio, const TemplatePart& part, std::size_t index) {
+  const Rgb rgb = part_colour(static_cast<int>(index));
+  ImGui::PushID(static_cast<int>(index));
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  if (ImGui::Selectable("##part", studio.ui.part == index)) studio.ui.part = index;
+  mark_target(studio, "part:" + part.name);
+  const float line = ImGui::GetTextLineHeight();
+  const float side = line * 0.72f;
+  const ImVec2 swatch(low.x + 4 * studio.fonts.scale, low.y + (line - side) / 2);
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled(swatch, {swatch.x + side, swatch.y + side}, IM_COL32(rgb[0], rgb[1], rgb[2], 255),
+                      3 * studio.fonts.scale);
+  const float right = low.x + ImGui::GetContentRegionAvail().x;
+  const float text_x = swatch.x + side + 8 * studio.fonts.scale;
+  const std::string facts =
+      (part.must_exist ? "must exist  ·  " : "") + std::string("label ") + std::to_string(part.label);
+  ImGui::PushFont(studio.fonts.small);
+  const float facts_width = ImGui::CalcTextSize(facts.c_str()).x;
+  draw->AddText({right - facts_width - 4 * studio.fonts.scale, low.y + 1 * studio.fonts.scale},
+                ImGui::GetColorU32(colours(studio).muted), facts.c_str());
+  ImGui::PopFont();
+  const std::string name = fitted(part.name, right - facts_width - text_x - 12 * studio.fonts.scale);
+  draw->AddText({text_x, low.y}, ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
+  ImGui::PopID();
+}
+
+}  // namespace
+
+void draw_template_panel(Studio& studio) {
+  section_title(studio, "Template");
+  const Document document = studio.history.current();  // a click may change it while it is being drawn
+  const PartTemplate* active = document.active_template();
+  if (!active) {
+    draw_empty(studio);
+    return;
+  }
+  draw_templates(studio, document);
+  if (active->parts.empty())
+    muted_paragraph(studio, "No parts yet: add a box, then move and size it over the shape.");
+  for (std::size_t i = 0; i < active->parts.size(); ++i) draw_part_row(studio, active->parts[i], i);
+  const float width = share_of_width(4);
+  command_button(studio, "add-part", std::string(icon::plus) + " Add", {width, 0});
+  ImGui::SameLine();
+  command_button(studio, "duplicate-part", std::string(icon::copy) + " Copy", {width, 0});
+  ImGui::SameLine();
+  command_button(studio, "mirror-part", std::string(icon::mirror) + " Mirror", {width, 0});
+  ImGui::SameLine();
+  command_button(studio, "delete-part", std::string(icon::trash) + " Delete", {width, 0});
+}
+
+}  // namespace archetype

@@ -1,0 +1,53 @@
+// The pictures of the cells in sight, as textures.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "render/gl/framebuffer.h"
+#include "ui/collection.h"
+#include "ui/thumbnail_worker.h"
+
+namespace archetype {
+
+// What the picture of a row has to show: it changes when the shape is fitted anew. Never 0 for a fitted
+// shape.
+std::uint64_t thumbnail_stamp(const ShapeRow& row);
+
+class ThumbnailStore {
+ public:
+  ThumbnailStore(std::filesystem::path shaders, std::function<void()> wake);
+
+  // The texture to draw now, or 0 where there is none yet; an older picture stands in until the new one is
+  // there. What is not used in a frame is not made, and goes once there are too many.
+  std::uint32_t use(ShapeId shape, std::uint64_t stamp);
+  // Once a frame, before its panels: takes over what was made, and forgets what is of another project. Needs
+  // the window's OpenGL context.
+  void begin_frame(const std::filesystem::path& project);
+  // After the panels: asks for what was used and is not there. What the frame draws stays.
+  void end_frame();
+  bool idle() const { return worker_.idle() && missing_.empty(); }
+  std::string problem() const { return worker_.problem(); }
+
+ private:
+  struct Entry {
+    std::optional<gl::Texture> texture;  // nothing: the shape has no picture
+    std::uint64_t stamp = 0;
+    std::uint64_t used = 0;  // the frame
+  };
+  void forget_unused();
+
+  std::unordered_map<ShapeId, Entry> entries_;
+  std::vector<WantedThumbnail> missing_;  // of this frame, in the order of the cells
+  std::vector<WantedThumbnail> asked_;
+  std::filesystem::path project_;
+  std::uint64_t frame_ = 0;
+  ThumbnailWorker worker_;
+};
+
+}  // namespace archetype

@@ -1,0 +1,130 @@
+#include "ui/thumbnail_worker.h"
+
+#include <exception>
+#include <optional>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/io/read_shape.h"
+#include "render/gl/headless_context.h"
+#include "render/thumbnails.h"
+
+namespace archetype {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* plain_kind = "surface";
+
+class ThumbnailMaker {
+ public:
+  explicit ThumbnailMaker(const fs::path& shaders) : renderer_(shaders) {}
+
+  Picture make(const fs::path& path, const WantedThumbnail& wanted) {
+    if (!project_ || project_->path() != path) project_.emplace(Project::open(path));
+    const std::string kind = wanted.stamp == 0 ? std::string(plain_kind) : std::string(parts_thumbnail);
+    if (const auto kept = project_->thumbnail(wanted.shape, kind); kept && kept->width == thumbnail_size)
+      return *kept;
+    Picture picture = draw(wanted);
+    try {
+      project_->store_thumbnail(wanted.shape, kind, picture);
+    } catch (const Error&) {
+      // The picture is shown all the same; it is made again next time.
+    }
+    return picture;
+  }
+
+ private:
+  Picture draw(const WantedThumbnail& wanted) {
+    const auto record = project_->find_shape(wanted.shape);
+    if (!record) return {};
+    std::shared_ptr<const Colours> colours;
+    if (wanted.stamp != 0)
+      if (const auto labels = project_->labels(wanted.shape)) colours = colours_of_labels(*labels);
+    const ShapeFile file = read_shape(record->path);
+    if (colours && colours->size() != file.mesh.element_count()) colours.reset();
+    const ThumbnailOptions options{.size = thumbnail_size};
+    if (file.mesh.is_point_set()) {
+      const auto points =
+          std::make_shared<const PointGeometry>(make_point_geometry(file.mesh, record->frame));
+      return point_thumbnail(renderer_, points, colours, options);
+    }
+    const auto geometry = std::make_shared<const MeshGeometry>(make_mesh_geometry(file.mesh, record->frame));
+    return mesh_thumbnail(renderer_, geometry, colours, options);
+  }
+
+  Renderer renderer_;
+  std::optional<Project> project_;
+};
+
+}  // namespace
+
+ThumbnailWorker::ThumbnailWorker(fs::path shaders, std::function<void()> wake)
+    : shaders_(std::move(shaders)),
+      wake_(std::move(wake)),
+      thread_([this](std::stop_token stop) { run(stop); }) {}
+
+ThumbnailWorker::~ThumbnailWorker() {
+  thread_.request_stop();
+}
+
+void ThumbnailWorker::want(const fs::path& project, std::vector<WantedThumbnail> wanted) {
+  {
+    const std::lock_guard lock(mutex_);
+    project_ = project;
+    wanted_ = std::move(wanted);
+  }
+  changed_.notify_one();
+}
+
+std::vector<MadeThumbnail> ThumbnailWorker::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(made_, {});
+}
+
+bool ThumbnailWorker::idle() const {
+  const std::lock_guard lock(mutex_);
+  return (wanted_.empty() && !working_ && made_.empty()) || !problem_.empty();
+}
+
+std::string ThumbnailWorker::problem() const {
+  const std::lock_guard lock(mutex_);
+  return problem_;
+}
+
+void ThumbnailWorker::run(const std::stop_token& stop) {
+  try {
+    std::optional<gl::HeadlessContext> context;  // opened when the first picture is wanted
+    std::optional<ThumbnailMaker> maker;
+    for (;;) {
+      std::unique_lock lock(mutex_);
+      if (!changed_.wait(lock, stop, [this] { return !wanted_.empty(); }) || stop.stop_requested()) return;
+      const fs::path project = project_;
+      const WantedThumbnail wanted = wanted_.front();
+      wanted_.erase(wanted_.begin());
+      working_ = true;
+      lock.unlock();
+      if (!maker) {
+        context.emplace();
+        maker.emplace(shaders_);
+      }
+      MadeThumbnail made{project, wanted, {}};
+      try {
+        made.picture = maker->make(project, wanted);
+      } catch (const Error&) {
+        // A file that is gone or broken: its cell stays without a picture, and the view says why.
+      }
+      lock.lock();
+      working_ = false;
+      made_.push_back(std::move(made));
+      lock.unlock();
+      if (wake_) wake_();
+    }
+  } catch (const std::exception& error) {
+    const std::lock_guard lock(mutex_);
+    problem_ = std::string("no pictures can be made: ") + error.what();
+    working_ = false;
+  }
+}
+
+}  // namespace archetype

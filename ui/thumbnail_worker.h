@@ -1,0 +1,62 @@
+// Makes the pictures of the grid on a thread of its own, with an OpenGL context of its own: the window never
+// waits.
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "core/base/picture.h"
+#include "core/io/project.h"
+
+namespace archetype {
+
+struct WantedThumbnail {
+  ShapeId shape = 0;
+  std::uint64_t stamp = 0;  // of the fit that it shows; 0: none, the plain surface
+  friend bool operator==(const WantedThumbnail&, const WantedThumbnail&) = default;
+};
+
+struct MadeThumbnail {
+  std::filesystem::path project;
+  WantedThumbnail wanted;
+  Picture picture;  // empty if the shape cannot be drawn
+};
+
+inline constexpr int thumbnail_size = 192;  // pixels
+
+// Pictures that the project has already are taken from there; new ones are kept there.
+class ThumbnailWorker {
+ public:
+  ThumbnailWorker(std::filesystem::path shaders, std::function<void()> wake);
+  ThumbnailWorker(const ThumbnailWorker&) = delete;
+  ThumbnailWorker& operator=(const ThumbnailWorker&) = delete;
+  ~ThumbnailWorker();
+
+  // Replaces what was wanted before; the first ones are made first.
+  void want(const std::filesystem::path& project, std::vector<WantedThumbnail> wanted);
+  std::vector<MadeThumbnail> take();
+  bool idle() const;
+  // Why no pictures can be made ("" if they can): no OpenGL beside the window, say.
+  std::string problem() const;
+
+ private:
+  void run(const std::stop_token& stop);
+
+  std::filesystem::path shaders_;
+  std::function<void()> wake_;
+  mutable std::mutex mutex_;  // guards the five below
+  std::filesystem::path project_;
+  std::vector<WantedThumbnail> wanted_;
+  std::vector<MadeThumbnail> made_;
+  bool working_ = false;
+  std::string problem_;
+  std::condition_variable_any changed_;
+  std::jthread thread_;  // last: it is joined before the rest goes
+};
+
+}  // namespace archetype
