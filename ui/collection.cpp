@@ -25,7 +25,8 @@ std::string lower(std::string text) {
 std::filesystem::path untitled_project_path(const std::filesystem::path& data_folder,
                                             const std::filesystem::path& shapes_folder) {
   std::filesystem::path absolute = std::filesystem::absolute(shapes_folder).lexically_normal();
-  if (!absolute.has_filename()) absolute = absolute.parent_path();  // a slash at the end means the same folder
+  if (!absolute.has_filename())
+    absolute = absolute.parent_path();  // a slash at the end means the same folder
   const std::string text = absolute.string();
   const std::string name = absolute.filename().string();
   const ContentHash hash = hash_content(std::as_bytes(std::span(text)));

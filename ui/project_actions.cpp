@@ -20,6 +20,10 @@ std::string plural(std::size_t count, const std::string& thing) {
   return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
+void warn_of_refused(Studio& studio, const std::vector<RefusedInput>& refused) {
+  for (const RefusedInput& input : refused) studio.messages.warn(input.path.string() + ": " + input.reason);
+}
+
 // What a job read of a project that is to be shown.
 struct OpenedProject {
   fs::path path;
@@ -78,7 +82,7 @@ void start_import(Studio& studio, std::vector<fs::path> paths, bool fit_then = f
         Project project = Project::open(project_path);
         ImportReport report = import_shapes(project, paths, options, control);
         return [&studio, project_path, fit_then, report = std::move(report)] {
-          for (const RefusedInput& refused : report.refused) studio.messages.warn(refused.reason);
+          warn_of_refused(studio, report.refused);
           for (const std::string& warning : report.warnings) studio.messages.note(warning);
           if (report.imported > 0 || !report.refused.empty()) say(studio, Severity::note, summary(report));
           const bool still_open = studio.collection.path == project_path;
@@ -192,7 +196,7 @@ void fit_all(Studio& studio) {
         Project project = Project::open(path);
         const FitCollectionReport report = fit_collection(project, {part_template}, {}, threads, control);
         return [&studio, report] {
-          for (const RefusedInput& refused : report.refused) studio.messages.warn(refused.reason);
+          warn_of_refused(studio, report.refused);
           std::string text = plural(report.fitted, "shape") + " fitted";
           if (report.kept > 0) text += ", " + std::to_string(report.kept) + " were up to date";
           if (!report.refused.empty()) text += ", " + std::to_string(report.refused.size()) + " could not be";

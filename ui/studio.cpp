@@ -135,7 +135,7 @@ void begin_frame(Studio& studio) {
     if (studio.collection.open()) studio.rows_reader.request(studio.collection.path, false);
   }
   if (auto listing = studio.directory_reader.poll()) studio.directory = std::move(listing);
-  studio.thumbnails.begin_frame();
+  studio.thumbnails.begin_frame(studio.collection.path);
   follow_rows(studio);
   take_over_shape(studio);
   take_over_fit(studio);
@@ -147,7 +147,7 @@ void end_frame(Studio& studio) {
   note_edit(studio);
   keep_selection_valid(studio);
   ask_for_fit(studio);
-  studio.thumbnails.end_frame(studio.collection.path);
+  studio.thumbnails.end_frame();
   autosave(studio);
 }
 
@@ -158,8 +158,8 @@ void frame_shown(Studio& studio) {
 
 bool settled(const Studio& studio) {
   return !studio.drag && !studio.wanted_picture && studio.jobs.idle() && studio.shape_loader.idle() &&
-         studio.live_fit.worker.idle() && studio.rows_reader.idle() && studio.document_saver.idle() &&
-         studio.thumbnails.idle() && !studio.live_fit.newly_shown &&
+         studio.live_fit.worker.idle() && studio.rows_reader.idle() && studio.directory_reader.idle() &&
+         studio.document_saver.idle() && studio.thumbnails.idle() && !studio.live_fit.newly_shown &&
          studio.live_fit.asked_shape == studio.shape.shape_revision &&
          !viewport_busy(studio.viewport, studio.shape.shape_revision);
 }

@@ -63,7 +63,7 @@ struct Studio {
   Messages messages;
   ViewportState viewport;
   LatencyMeter latency;
-  std::vector<Target> targets;  // of the frame drawn last
+  std::vector<Target> targets;         // of the frame drawn last
   std::vector<KeyChord> pressed_keys;  // since the last frame, in order
   std::vector<std::string>
       output;  // lines of commands for standard output; the program prints and clears them

@@ -9,30 +9,30 @@ ImVec4 rgb(unsigned hex, float alpha = 1.0f) {
 }
 
 const Palette dark{.back = rgb(0x16181c),
-                       .panel = rgb(0x1e2126),
-                       .raised = rgb(0x2a2e35),
-                       .hovered = rgb(0x363c45),
-                       .border = rgb(0x31363e),
-                       .text = rgb(0xe4e7eb),
-                       .muted = rgb(0x97a1ad),
-                       .accent = rgb(0x4f9cf0),
-                       .on_accent = rgb(0x0b1520),
-                       .good = rgb(0x55c38a),
-                       .warning = rgb(0xe8b04a),
-                       .error = rgb(0xf0705f)};
+                   .panel = rgb(0x1e2126),
+                   .raised = rgb(0x2a2e35),
+                   .hovered = rgb(0x363c45),
+                   .border = rgb(0x31363e),
+                   .text = rgb(0xe4e7eb),
+                   .muted = rgb(0x97a1ad),
+                   .accent = rgb(0x4f9cf0),
+                   .on_accent = rgb(0x0b1520),
+                   .good = rgb(0x55c38a),
+                   .warning = rgb(0xe8b04a),
+                   .error = rgb(0xf0705f)};
 
 const Palette light{.back = rgb(0xe4e7eb),
-                        .panel = rgb(0xf7f8fa),
-                        .raised = rgb(0xe6e9ee),
-                        .hovered = rgb(0xd6dce4),
-                        .border = rgb(0xd0d5dc),
-                        .text = rgb(0x1d2329),
-                        .muted = rgb(0x5b6672),
-                        .accent = rgb(0x1f6fd0),
-                        .on_accent = rgb(0xffffff),
-                        .good = rgb(0x1f8a53),
-                        .warning = rgb(0x9a6700),
-                        .error = rgb(0xc03425)};
+                    .panel = rgb(0xf7f8fa),
+                    .raised = rgb(0xe6e9ee),
+                    .hovered = rgb(0xd6dce4),
+                    .border = rgb(0xd0d5dc),
+                    .text = rgb(0x1d2329),
+                    .muted = rgb(0x5b6672),
+                    .accent = rgb(0x1f6fd0),
+                    .on_accent = rgb(0xffffff),
+                    .good = rgb(0x1f8a53),
+                    .warning = rgb(0x9a6700),
+                    .error = rgb(0xc03425)};
 
 ImVec4 with_alpha(ImVec4 colour, float alpha) {
   colour.w = alpha;

@@ -24,8 +24,13 @@ std::uint32_t ThumbnailStore::use(ShapeId shape, std::uint64_t stamp) {
   return found->second.texture ? found->second.texture->name() : 0;
 }
 
-void ThumbnailStore::begin_frame() {
+void ThumbnailStore::begin_frame(const std::filesystem::path& project) {
   ++frame_;
+  if (project != project_) {
+    entries_.clear();
+    asked_.clear();
+    project_ = project;
+  }
   for (MadeThumbnail& made : worker_.take()) {
     if (made.project != project_) continue;
     Entry& entry = entries_[made.wanted.shape];
@@ -36,19 +41,12 @@ void ThumbnailStore::begin_frame() {
   missing_.clear();
 }
 
-void ThumbnailStore::end_frame(const std::filesystem::path& project) {
-  if (project != project_) clear();
-  project_ = project;
+void ThumbnailStore::end_frame() {
   if (missing_ != asked_) {
     worker_.want(project_, missing_);
     asked_ = missing_;
   }
   forget_unused();
-}
-
-void ThumbnailStore::clear() {
-  entries_.clear();
-  asked_.clear();
 }
 
 // About 150 KB each.

@@ -26,11 +26,11 @@ class ThumbnailStore {
   // The texture to draw now, or 0 where there is none yet; an older picture stands in until the new one is
   // there. What is not used in a frame is not made, and goes once there are too many.
   std::uint32_t use(ShapeId shape, std::uint64_t stamp);
-  // Once a frame, before it is drawn: takes over what was made. Needs the window's OpenGL context.
-  void begin_frame();
-  // After the panels: asks for what was used and is not there.
-  void end_frame(const std::filesystem::path& project);
-  void clear();  // another project was opened
+  // Once a frame, before its panels: takes over what was made, and forgets what is of another project. Needs
+  // the window's OpenGL context.
+  void begin_frame(const std::filesystem::path& project);
+  // After the panels: asks for what was used and is not there. What the frame draws stays.
+  void end_frame();
   bool idle() const { return worker_.idle() && missing_.empty(); }
   std::string problem() const { return worker_.problem(); }
 

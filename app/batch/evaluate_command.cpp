@@ -59,6 +59,7 @@ void print_report_json(const LabellingEvaluation& evaluation) {
   print_json({{"mean", accuracy_json(report.mean)},
               {"total", accuracy_json(report.total)},
               {"shapes", shapes},
+              {"label_names", evaluation.label_names},
               {"parts", parts},
               {"own_confusion", confusion_json(report.own_confusion)},
               {"best_confusion", confusion_json(report.best_confusion)},
@@ -72,8 +73,14 @@ std::vector<std::string> accuracy_row(const ShapeAccuracy& shape) {
           percent(shape.best.by_count)};
 }
 
+std::string label_text(int label, const std::vector<std::string>& names) {
+  if (label < 0) return "none";
+  const auto i = static_cast<std::size_t>(label);
+  return i < names.size() ? std::to_string(label) + " " + names[i] : std::to_string(label);
+}
+
 // Rows: truth; columns: what was predicted; in percent of the true label's area.
-void print_confusion(const Confusion& confusion) {
+void print_confusion(const Confusion& confusion, const std::vector<std::string>& names) {
   std::set<int> predicted;
   std::map<int, double> truth_area;
   for (const auto& [pair, share] : confusion) {
@@ -81,9 +88,9 @@ void print_confusion(const Confusion& confusion) {
     truth_area[pair.second] += share.area;
   }
   std::vector<std::vector<std::string>> rows{{"true label"}};
-  for (const int label : predicted) rows[0].push_back(label < 0 ? "none" : std::to_string(label));
+  for (const int label : predicted) rows[0].push_back(label_text(label, names));
   for (const auto& [truth, area] : truth_area) {
-    rows.push_back({std::to_string(truth)});
+    rows.push_back({label_text(truth, names)});
     for (const int label : predicted) {
       const auto found = confusion.find({label, truth});
       rows.back().push_back(found == confusion.end() ? ""
@@ -108,15 +115,15 @@ void print_report(const LabellingEvaluation& evaluation) {
   print_table(std::cout, rows);
 
   std::cout << "\nWhat became of each true label, in percent of its area (own labels):\n\n";
-  print_confusion(report.own_confusion);
+  print_confusion(report.own_confusion, evaluation.label_names);
 
   std::cout << "\nParts and their labels:\n\n";
   rows = {{"template", "part", "own", "best"}};
   for (std::size_t i = 0; i < evaluation.parts.size(); ++i) {
     const EvaluatedPart& part = evaluation.parts[i];
     const int best = report.best_labels[i];
-    rows.push_back(
-        {part.part_template, part.part, std::to_string(part.label), best < 0 ? "-" : std::to_string(best)});
+    rows.push_back({part.part_template, part.part, std::to_string(part.label),
+                    best < 0 ? "-" : label_text(best, evaluation.label_names)});
   }
   print_table(std::cout, rows);
   for (const std::string& name : evaluation.without_truth)

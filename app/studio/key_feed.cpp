@@ -11,7 +11,8 @@ namespace archetype {
 namespace {
 
 std::string key_name(int key, int scancode) {
-  if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return std::to_string(key - GLFW_KEY_F1 + 1).insert(0, 1, 'F');
+  if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12)
+    return std::to_string(key - GLFW_KEY_F1 + 1).insert(0, 1, 'F');
   if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return std::to_string(key - GLFW_KEY_KP_0);
   switch (key) {
     case GLFW_KEY_ESCAPE:

@@ -51,9 +51,9 @@ void read_faces(TextCursor& cursor, int label, std::vector<int>& labels) {
 
 // A name without faces is followed by an empty line or by the next name: a line that begins with a number is
 // the list of the name before it, every other one is a name.
-std::vector<int> read_named(TextCursor& cursor, std::size_t element_count) {
+std::vector<int> read_named(TextCursor& cursor, std::size_t element_count, std::vector<std::string>& names) {
   std::vector<int> labels(element_count, -1);
-  std::map<std::string, int> names;
+  std::map<std::string, int> numbers;
   int label = -1;
   while (cursor.next_line()) {
     TextCursor line = cursor;
@@ -62,8 +62,10 @@ std::vector<int> read_named(TextCursor& cursor, std::size_t element_count) {
       if (label < 0) cursor.fail("expected the name of a label before the first face numbers");
       read_faces(cursor, label, labels);
     } else {
-      label =
-          names.try_emplace(std::string(cursor.rest_of_line()), static_cast<int>(names.size())).first->second;
+      const std::string name(cursor.rest_of_line());
+      const auto [entry, is_new] = numbers.try_emplace(name, static_cast<int>(names.size()));
+      if (is_new) names.push_back(name);
+      label = entry->second;
     }
   }
   return labels;
@@ -72,9 +74,16 @@ std::vector<int> read_named(TextCursor& cursor, std::size_t element_count) {
 }  // namespace
 
 std::vector<int> read_labels(const std::filesystem::path& path, std::size_t element_count) {
+  std::vector<std::string> names;
+  return read_labels(path, element_count, names);
+}
+
+std::vector<int> read_labels(const std::filesystem::path& path, std::size_t element_count,
+                             std::vector<std::string>& names) {
+  names.clear();
   const std::string content = read_file(path);
   TextCursor cursor(content, path);
-  return path.filename().string().ends_with(named_ending) ? read_named(cursor, element_count)
+  return path.filename().string().ends_with(named_ending) ? read_named(cursor, element_count, names)
                                                           : read_numbered(cursor, element_count);
 }
 

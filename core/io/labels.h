@@ -16,6 +16,10 @@ namespace archetype {
 // repeated; names are numbered in order of appearance. Throws InputError if the count or a number does not
 // fit `element_count`.
 std::vector<int> read_labels(const std::filesystem::path& path, std::size_t element_count);
+// The same; `names` receives the names by label, none for a `.seg`. Files of one collection may number the
+// same names differently.
+std::vector<int> read_labels(const std::filesystem::path& path, std::size_t element_count,
+                             std::vector<std::string>& names);
 
 // The label file of a shape in a folder: SHAPE.seg or SHAPE_labels.txt, or nothing.
 std::optional<std::filesystem::path> find_labels(const std::filesystem::path& folder,

@@ -15,13 +15,17 @@
 namespace archetype {
 namespace {
 
-// The two sources of values have the same four functions, so that one loop reads both.
+// The two sources of values have the same functions, so that one loop reads both.
 class AsciiBody {
  public:
   AsciiBody(const ShapeBytes& file, const PlyHeader& header)
       : cursor_(file.bytes.substr(header.body_begin), file.path, {.comments = false}, header.body_line) {}
 
-  void begin_record() { cursor_.require_line("another record"); }
+  void begin_record() {
+    note_rest_of_line();
+    begun_ = true;
+    cursor_.require_line("another record");
+  }
   double next(PlyType type) {
     return type == PlyType::float32 || type == PlyType::float64 ? cursor_.number()
                                                                 : static_cast<double>(cursor_.integer());
@@ -29,10 +33,24 @@ class AsciiBody {
   void skip(PlyType) {
     if (cursor_.word().empty()) cursor_.fail("the line ends where a value was expected");
   }
+  // Needs all records to have been read.
+  void add_warnings(std::vector<std::string>& warnings) {
+    note_rest_of_line();
+    if (long_lines_ > 0) {
+      warnings.push_back("lines with more values than the header describes: " + std::to_string(long_lines_));
+    }
+    if (cursor_.next_line()) warnings.emplace_back("what follows the last record is not read");
+  }
   [[noreturn]] void fail(const std::string& problem) const { cursor_.fail(problem); }
 
  private:
+  void note_rest_of_line() {
+    if (begun_ && !cursor_.at_line_end()) ++long_lines_;
+  }
+
   TextCursor cursor_;
+  bool begun_ = false;
+  std::size_t long_lines_ = 0;
 };
 
 class BinaryBody {
@@ -66,6 +84,9 @@ class BinaryBody {
     return take<double>();
   }
   void skip(PlyType type) { advance(byte_size(type)); }
+  void add_warnings(std::vector<std::string>& warnings) const {
+    if (at_ < file_.bytes.size()) warnings.emplace_back("what follows the last record is not read");
+  }
   [[noreturn]] void fail(const std::string& problem) const {
     throw InputError(file_.path, "byte " + std::to_string(at_), problem);
   }
@@ -133,6 +154,7 @@ class PlyReader {
         mesh_.point_normals.push_back(normal.allFinite() ? normal.stableNormalized() : Vec3::Zero());
     }
   }
+  void add_warnings(std::vector<std::string>& warnings) { body_.add_warnings(warnings); }
 
  private:
   void read(const PlyProperty& property, Vec3& position, Vec3& normal) {
@@ -217,9 +239,10 @@ class PlyReader {
 };
 
 template <typename Body>
-void read_body(const ShapeBytes& file, const PlyHeader& header, PolygonMesh& mesh) {
-  PlyReader<Body> reader(Body(file, header), header.count("vertex"), mesh);
+void read_body(const ShapeBytes& file, const PlyHeader& header, ShapeFile& shape) {
+  PlyReader<Body> reader(Body(file, header), header.count("vertex"), shape.mesh);
   for (const PlyElement& element : header.elements) reader.read(element);
+  reader.add_warnings(shape.warnings);
 }
 
 }  // namespace
@@ -227,9 +250,9 @@ void read_body(const ShapeBytes& file, const PlyHeader& header, PolygonMesh& mes
 void read_ply(const ShapeBytes& file, ShapeFile& shape) {
   const PlyHeader header = parse_ply_header(file);
   if (header.encoding == PlyEncoding::ascii) {
-    read_body<AsciiBody>(file, header, shape.mesh);
+    read_body<AsciiBody>(file, header, shape);
   } else {
-    read_body<BinaryBody>(file, header, shape.mesh);
+    read_body<BinaryBody>(file, header, shape);
   }
 }
 

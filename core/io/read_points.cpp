@@ -1,6 +1,7 @@
 // XYZ and PTS: a point a line, its coordinates first. PTS begins with the number of points, XYZ may; a file
 // may hold several such blocks. Six columns are taken as point and normal if they look it; all other columns
 // (intensity, colour) are passed over.
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -66,7 +67,8 @@ void read_points(const ShapeBytes& file, ShapeFile& shape) {
     shape.warnings.push_back("the file holds more points than the " + std::to_string(promised) +
                              " it promises");
   }
-  if (!normals) mesh.point_normals.clear();
+  const bool all_zero = std::ranges::all_of(mesh.point_normals, [](const Vec3& n) { return n.isZero(); });
+  if (!normals || all_zero) mesh.point_normals.clear();
 }
 
 }  // namespace archetype

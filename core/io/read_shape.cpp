@@ -75,6 +75,19 @@ void refuse_wrong_content(const ShapeBytes& file, const Format& format) {
   }
 }
 
+// Beyond it, squares of areas are no longer finite; nothing is that large in any unit.
+constexpr double largest_coordinate = 1e30;
+
+void check_vertices(const ShapeFile& shape, const std::filesystem::path& path) {
+  const std::vector<Vec3>& vertices = shape.mesh.vertices;
+  if (vertices.empty()) throw InputError(path, "", "the file holds no vertices");
+  const auto far = std::ranges::find_if(
+      vertices, [](const Vec3& v) { return !(v.array().abs() <= largest_coordinate).all(); });
+  if (far == vertices.end()) return;
+  throw InputError(path, "vertex " + std::to_string(far - vertices.begin() + 1),
+                   "a coordinate is beyond 1e30, too large to compute with");
+}
+
 // Faces that span no polygon are kept, since labels are counted by them, but said.
 void warn_about_degenerate_faces(ShapeFile& shape) {
   std::size_t degenerate = 0;
@@ -109,7 +122,7 @@ ShapeFile read_shape(const std::filesystem::path& path) {
   ShapeFile shape;
   shape.hash = hash_content(std::as_bytes(std::span(content)));
   format->read(file, shape);
-  if (shape.mesh.vertices.empty()) throw InputError(path, "", "the file holds no vertices");
+  check_vertices(shape, path);
   if (!shape.mesh.is_point_set()) shape.mesh.point_normals.clear();
   warn_about_degenerate_faces(shape);
   return shape;

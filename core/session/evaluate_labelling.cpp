@@ -18,6 +18,7 @@ struct Work {
   ShapeRecord shape;
   std::vector<int> parts;  // per element, of the collection
   PartOverlap overlap;
+  std::vector<std::string> label_names;  // of the label file, if it names its labels
   Outcome outcome = Outcome::measured;
   std::string reason;  // of a refusal
 };
@@ -35,7 +36,7 @@ void compare(Work& work, const std::filesystem::path& label_folder) {
     work.outcome = Outcome::without_truth;
     return;
   }
-  const std::vector<int> truth = read_labels(*label_file, work.shape.element_count);
+  const std::vector<int> truth = read_labels(*label_file, work.shape.element_count, work.label_names);
   const ShapeFile file = read_shape(work.shape.path);
   if (file.hash != work.shape.hash || file.mesh.element_count() != work.shape.element_count) {
     throw InputError(work.shape.path, "", "has changed since it was imported; import it again");
@@ -43,10 +44,15 @@ void compare(Work& work, const std::filesystem::path& label_folder) {
   work.overlap = measure_overlap(work.parts, truth, element_areas(file.mesh));
 }
 
+// "labels/" as "labels".
+std::filesystem::path without_separator(const std::filesystem::path& folder) {
+  return folder.has_filename() ? folder : folder.parent_path();
+}
+
 class Evaluation {
  public:
   Evaluation(const Project& project, const std::filesystem::path& label_folder)
-      : project_(project), label_folder_(label_folder) {
+      : project_(project), label_folder_(without_separator(label_folder)) {
     for (const TemplateRecord& record : project.templates(false)) {
       first_part_[record.id] = static_cast<int>(result_.parts.size());
       for (const TemplatePart& part : record.part_template.parts) {
@@ -97,7 +103,7 @@ class Evaluation {
   void take(Work& work) {
     switch (work.outcome) {
       case Outcome::measured:
-        shapes_.push_back({work.shape.name, std::move(work.overlap)});
+        shapes_.push_back({work.shape.name, renumbered(work)});
         break;
       case Outcome::without_truth:
         result_.without_truth.push_back(work.shape.name);
@@ -111,9 +117,27 @@ class Evaluation {
     }
   }
 
+  // With the labels of a file that names them numbered as those of all such files.
+  PartOverlap renumbered(const Work& work) {
+    if (work.label_names.empty()) return work.overlap;
+    std::vector<int> numbers;
+    for (const std::string& name : work.label_names) {
+      const auto next = static_cast<int>(result_.label_names.size());
+      const auto [entry, is_new] = label_numbers_.try_emplace(name, next);
+      if (is_new) result_.label_names.push_back(name);
+      numbers.push_back(entry->second);
+    }
+    PartOverlap overlap;
+    for (const auto& [pair, share] : work.overlap) {
+      overlap[{pair.first, numbers[static_cast<std::size_t>(pair.second)]}] += share;
+    }
+    return overlap;
+  }
+
   const Project& project_;
-  const std::filesystem::path& label_folder_;
+  const std::filesystem::path label_folder_;
   std::map<TemplateId, int> first_part_;
+  std::map<std::string, int> label_numbers_;
   std::vector<Work> ring_;
   std::vector<ShapeOverlap> shapes_;
   LabellingEvaluation result_;

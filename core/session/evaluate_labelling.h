@@ -18,6 +18,7 @@ struct EvaluatedPart {
 
 struct LabellingEvaluation {
   LabellingReport report;
+  std::vector<std::string> label_names;    // of the true labels, where `_labels.txt` files name them
   std::vector<EvaluatedPart> parts;        // what the report's part indices mean
   std::vector<std::string> without_truth;  // names of shapes that have no label file
   std::vector<std::string>
@@ -26,8 +27,9 @@ struct LabellingEvaluation {
   bool cancelled = false;             // the report is empty then
 };
 
-// Label files are found by the names of the shapes (find_labels); areas come from the shapes' own files. A
-// shape that lacks a label file, a labelled fit or its own file is listed and left out.
+// Names in `_labels.txt` files are numbered as they first appear, shapes in the order of their names, so that
+// all files agree. Label files are found by the names of the shapes (find_labels); areas come from the
+// shapes' own files. A shape that lacks a label file, a labelled fit or its own file is listed and left out.
 LabellingEvaluation evaluate_labelling(const Project& project, const std::filesystem::path& label_folder,
                                        unsigned threads, const JobControl& control);
 

@@ -41,6 +41,7 @@ std::vector<HostileFile> hostile_meshes() {
       {"nan.obj", "v 0 nan 0\n", "line 1: expected a finite number, found \"nan\""},
       {"inf.obj", "v 0 -inf 0\n", "expected a finite number"},
       {"too_large.obj", "v 0 1e400 0\n", "expected a finite number, found \"1e400\""},
+      {"far.obj", "v 0 0 0\nv 0 -1.1e30 0\n", "vertex 2: a coordinate is beyond 1e30"},
       {"comma.obj", "v 1,5 2 3\n", "expected a finite number, found \"1,5\""},
       {"two_signs.obj", "v +-1 2 3\n", "found \"+-1\""},
       {"control.obj", "v \x1b[31m" + std::string(100, 'x') + " 2 3\n",

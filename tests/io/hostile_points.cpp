@@ -35,6 +35,8 @@ std::vector<HostileFile> hostile_points() {
       {"promise.binvox", "#binvox 1\ndim 1024 1024 1024\ndata\n\1\xFF",
        "the header promises 1073741824 voxels"},
       {"scale.binvox", "#binvox 1\ndim 1 1 1\nscale 0\ndata\n\1\1", "expected a scale above 0"},
+      {"far.binvox", "#binvox 1\ndim 1 1 1\ntranslate 1e308 0 0\nscale 1e308\ndata\n\1\1",
+       "vertex 1: a coordinate is beyond 1e30"},
       {"cut.binvox", small_grid + "\1\3", "the file ends after 3 of 8 voxels; it is cut off"},
       {"cut_run.binvox", small_grid + "\1\3\1", "the file ends after 3 of 8 voxels"},
       {"beyond.binvox", small_grid + "\1\11", "the runs go beyond the 8 voxels of the grid"},

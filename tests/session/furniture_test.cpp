@@ -32,7 +32,8 @@ name#10=Oak chair
 model#10=/some/../../../tmp/evil.obj
 )";
 
-void make_zip(const std::filesystem::path& path, const std::vector<std::pair<std::string, std::string>>& members) {
+void make_zip(const std::filesystem::path& path,
+              const std::vector<std::pair<std::string, std::string>>& members) {
   int error = 0;
   zip_t* archive = zip_open(path.c_str(), ZIP_CREATE, &error);
   REQUIRE(archive);

@@ -43,7 +43,8 @@ TEST_CASE("No file means the defaults; a broken one the defaults and a message")
 
 TEST_CASE("One bad value does not spoil the others") {
   const ScratchFolder scratch;
-  const auto path = scratch.write("settings.json", R"({"ui_scale": 99, "theme": "light", "recent": ["/a", 3]})");
+  const auto path =
+      scratch.write("settings.json", R"({"ui_scale": 99, "theme": "light", "recent": ["/a", 3]})");
   const LoadedSettings loaded = load_settings(path);
   CHECK(loaded.settings.theme == "light");
   CHECK(loaded.settings.ui_scale == 0);

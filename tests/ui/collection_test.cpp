@@ -156,7 +156,8 @@ TEST_CASE("A broken shape is listed and the others come in") {
   TestWindow window;
   const std::filesystem::path folder = window.scratch().path() / "mixed";
   std::filesystem::create_directories(folder);
-  std::ofstream(folder / "good.off") << "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n";
+  std::ofstream(folder / "good.off")
+      << "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n";
   std::ofstream(folder / "bad.off") << "OFF\n9999 1 0\n0 0 0\n";
   open_folder(window.studio(), folder);
   window.settle();

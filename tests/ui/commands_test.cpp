@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <set>
 
 #include "core/base/error.h"
@@ -40,7 +42,7 @@ TEST_CASE("Names and keys of commands are unique, titles are there, keys can be 
   for (const Command& command : all_commands()) {
     CAPTURE(command.name);
     CHECK(names.insert(command.name).second);
-    CHECK(command.run != nullptr);
+    CHECK((command.run != nullptr));
     CHECK_FALSE(command.title.empty());
     CHECK(std::all_of(command.name.begin(), command.name.end(),
                       [](char c) { return (c >= 'a' && c <= 'z') || c == '-' || (c >= '0' && c <= '9'); }));
@@ -114,7 +116,8 @@ TEST_CASE("A script runs its commands in order") {
   CHECK(made.parts[0].name == "seat");
   CHECK(made.parts[0].position.mean == Vec3(0, 0.1, 0));
   CHECK(made.parts[0].scale.mean == Vec3(0.5, 0.05, 0.5));
-  CHECK(made.parts[0].orientation.angularDistance(Eigen::Quaterniond(std::sqrt(0.5), 0, std::sqrt(0.5), 0)) < 1e-9);
+  CHECK(made.parts[0].orientation.angularDistance(Eigen::Quaterniond(std::sqrt(0.5), 0, std::sqrt(0.5), 0)) <
+        1e-9);
   CHECK(made.parts[0].label == 3);
   CHECK(made.parts[0].must_exist);
   CHECK(made.parts[0].existence == doctest::Approx(0.75));
@@ -123,12 +126,17 @@ TEST_CASE("A script runs its commands in order") {
 TEST_CASE("What is wrong with a script is said with file and line") {
   TestWindow window;
   CHECK(problem_of([&] { run_script(window, "wait\n\nmake-coffee\n"); }).find("test.txt, line 3") == 0);
-  CHECK(problem_of([&] { run_script(window, "new-template\nadd-part\nset-position 1 2\n"); }).find("test.txt, line 3") == 0);
+  CHECK(problem_of([&] {
+          run_script(window, "new-template\nadd-part\nset-position 1 2\n");
+        }).find("test.txt, line 3") == 0);
   CHECK(problem_of([&] { run_script(window, "set-position 1 x 2\n"); }).find("\"x\"") != std::string::npos);
   CHECK(problem_of([&] { run_script(window, "new-template \"chair\n"); }).find("test.txt, line 1") == 0);
-  CHECK(problem_of([&] { run_script(window, "open /nowhere/at/all\n"); }).find("/nowhere/at/all") != std::string::npos);
-  CHECK(problem_of([&] { run_script(window, "set theme purple\n"); }).find("dark, light") != std::string::npos);
-  CHECK(problem_of([&] { run_script(window, "delete-part\n"); }).find("line 1") != std::string::npos);
+  CHECK(problem_of([&] { run_script(window, "open /nowhere/at/all\n"); }).find("/nowhere/at/all") !=
+        std::string::npos);
+  CHECK(problem_of([&] { run_script(window, "set theme purple\n"); }).find("dark, light") !=
+        std::string::npos);
+  CHECK(problem_of([&] { run_script(window, "delete-part\ndelete-part\n"); }).find("line 2") !=
+        std::string::npos);
 }
 
 TEST_CASE("A script drags a part and prints how fast the fit followed") {
@@ -139,6 +147,7 @@ TEST_CASE("A script drags a part and prints how fast the fit followed") {
   REQUIRE(window.studio().output.size() == 2);
   CHECK(window.studio().output[0].starts_with("latency: 12 edits"));
   CHECK(window.studio().output[1].starts_with("fit "));
-  CHECK(window.studio().history.current().active_template()->parts[0].position.mean.y() == doctest::Approx(0.2));
+  CHECK(window.studio().history.current().active_template()->parts[0].position.mean.y() ==
+        doctest::Approx(0.2));
   CHECK(window.studio().history.entries().back().message == "Move seat");
 }

@@ -9,7 +9,9 @@ using archetype::test::TestWindow;
 
 namespace {
 
-const PartTemplate& shown(TestWindow& window) { return *window.studio().history.current().active_template(); }
+const PartTemplate& shown(TestWindow& window) {
+  return *window.studio().history.current().active_template();
+}
 
 // What the edit left is undone by Ctrl+Z, comes back by Ctrl+Shift+Z, and was one step.
 void check_one_step(TestWindow& window, const Document& before, std::size_t steps_before) {

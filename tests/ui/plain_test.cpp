@@ -13,8 +13,8 @@ using namespace archetype;
 using archetype::test::ScratchFolder;
 
 TEST_CASE("Angles give back the orientation that they were made of") {
-  for (const Vec3& degrees : {Vec3(0, 0, 0), Vec3(30, 0, 0), Vec3(10, 20, 30), Vec3(-170, 80, 95), Vec3(25, 90, 0),
-                              Vec3(40, -90, 0), Vec3(0, 45, -90)}) {
+  for (const Vec3& degrees : {Vec3(0, 0, 0), Vec3(30, 0, 0), Vec3(10, 20, 30), Vec3(-170, 80, 95),
+                              Vec3(25, 90, 0), Vec3(40, -90, 0), Vec3(0, 45, -90)}) {
     const Eigen::Quaterniond orientation = orientation_of_degrees(degrees);
     const Vec3 back = degrees_of_orientation(orientation);
     CHECK(orientation_of_degrees(back).angularDistance(orientation) < 1e-6);
@@ -45,9 +45,12 @@ TEST_CASE("Latency counts every edit until a fit as new as it is on the screen")
 
 TEST_CASE("Rows are searched and sorted; shapes without a fit come last") {
   std::vector<ShapeRow> rows;
-  for (const char* name : {"armchair", "Bench", "chair"}) rows.push_back({static_cast<ShapeId>(rows.size()), name, rows.size(), {}});
-  rows[0].fit = FitSummary{.energy = {.features = 0.9}};
-  rows[2].fit = FitSummary{.energy = {.features = 0.1}};
+  for (const char* name : {"armchair", "Bench", "chair"})
+    rows.push_back({static_cast<ShapeId>(rows.size()), name, rows.size(), {}});
+  for (const std::size_t fitted : {0, 2}) {
+    rows[fitted].fit.emplace();
+    rows[fitted].fit->energy.features = fitted == 0 ? 0.9 : 0.1;
+  }
   CHECK(visible_rows(rows, "", RowOrder::name) == std::vector<std::size_t>{0, 1, 2});
   CHECK(visible_rows(rows, "CHAIR", RowOrder::name) == std::vector<std::size_t>{0, 2});
   CHECK(visible_rows(rows, "", RowOrder::energy_up) == std::vector<std::size_t>{2, 0, 1});

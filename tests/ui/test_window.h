@@ -1,5 +1,5 @@
-// The whole window without a display, with hands: the mouse is really moved over what is drawn and pressed there, and
-// Dear ImGui's own hit testing decides what was meant.
+// The whole window without a display, with hands: the mouse is really moved over what is drawn and pressed
+// there, and Dear ImGui's own hit testing decides what was meant.
 #pragma once
 
 #include <optional>
@@ -31,9 +31,9 @@ class TestWindow {
   void press_on(const std::string& target);
   void move_by(float dx, float dy);
   void let_go();
-  void type(const std::string& text);       // into what has the keyboard
-  void key(const std::string& chord);       // to the commands: "Ctrl+Z"
-  void field_key(ImGuiKey key);             // to Dear ImGui: ImGuiKey_Enter
+  void type(const std::string& text);  // into what has the keyboard
+  void key(const std::string& chord);  // to the commands: "Ctrl+Z"
+  void field_key(ImGuiKey key);        // to Dear ImGui: ImGuiKey_Enter
 
   // A collection of generated chairs, imported and in view.
   void open_chairs(std::size_t count);

@@ -1,0 +1,59 @@
+#include "core/evaluation/coalign.h"
+
+#include <doctest/doctest.h>
+
+#include "core/base/error.h"
+
+using namespace archetype;
+
+namespace {
+
+PartTemplate one_box() {
+  PartTemplate part_template;
+  part_template.parts.resize(1);
+  part_template.parts[0].position.mean = {1, 0, 0};
+  part_template.parts[0].scale.mean = {1, 2, 3};
+  part_template.parts[0].orientation = Eigen::Quaterniond(Eigen::AngleAxisd(0.4, Vec3::UnitY()));
+  return part_template;
+}
+
+void check_near(const Vec3& a, const Vec3& b) {
+  CHECK((a - b).norm() < 1e-12);
+}
+
+}  // namespace
+
+TEST_CASE("what lies on the fitted box comes to lie on the mean box, whatever yaw, place and size it has") {
+  const PartTemplate part_template = one_box();
+  ShapeFit fit;
+  fit.yaw_quarters = 1;
+  fit.translation = {0.3, -0.2, 0.1};
+  fit.parts.push_back({true, {{2, 1, -1}, {0.5, 0.1, 4}, part_template.parts[0].orientation}});
+  const Box& fitted = fit.parts[0].box;
+  ShapeSamples samples;
+  const std::vector<Vec3> on_box{{1, 0.3, -0.2}, {0.1, -1, 0.9}, {1, 1, 1}};
+  for (const Vec3& local : on_box) samples.points.push_back(fit.to_shape(fitted.to_world(local)));
+  // A fourth one 0.05 in front of the first, which no deformation changes.
+  const Vec3 offset = part_template.parts[0].orientation * Vec3(0.05, 0, 0);
+  samples.points.push_back(fit.to_shape(fitted.to_world(on_box[0]) + offset));
+  fit.labels = {0, 0, 0, 0};
+
+  const std::vector<Vec3> canonical = coalign(part_template, samples, fit);
+  REQUIRE(canonical.size() == 4);
+  const Box mean = part_template.parts[0].mean_box();
+  for (std::size_t i = 0; i < on_box.size(); ++i) check_near(canonical[i], mean.to_world(on_box[i]));
+  check_near(canonical[3], mean.to_world(on_box[0]) + offset);
+}
+
+TEST_CASE("samples of no part are only turned and moved") {
+  ShapeFit fit;
+  fit.yaw_quarters = 2;
+  fit.translation = {0, 1, 0};
+  fit.parts.resize(1);
+  fit.labels = {null_label};
+  ShapeSamples samples;
+  samples.points = {{1, 2, 3}};
+  check_near(coalign(one_box(), samples, fit).at(0), {-1, 1, -3});
+  fit.labels.clear();
+  CHECK_THROWS_AS(coalign(one_box(), samples, fit), PreconditionError);
+}
