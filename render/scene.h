@@ -4,6 +4,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/geometry/box.h"
@@ -35,10 +36,11 @@ struct ScenePoints {
 
 struct SceneBox {
   Box box;
-  Rgb colour{120, 120, 120};
-  float fill = 0.16F;          // opacity of the faces; 0 draws only the outline
-  float outline_width = 1.6F;  // pixels
-  float dash = 0;              // length of a dash and of a gap in pixels; 0: a whole line
+  Rgb colour{120, 120, 120};     // of the faces
+  std::optional<Rgb> outline{};  // nothing: as the faces
+  float fill = 0.16F;            // opacity of the faces; 0 draws only the outline
+  float outline_width = 1.6F;    // pixels
+  float dash = 0;                // length of a dash and of a gap in pixels; 0: a whole line
 };
 
 struct SceneLine {

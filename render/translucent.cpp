@@ -77,7 +77,7 @@ void add_outline(const SceneBox& item, std::vector<LineInstance>& lines) {
       Vec3 to = from;
       to[axis] = 1;
       lines.push_back({glm::vec3(to_glm(item.box.to_world(from))), glm::vec3(to_glm(item.box.to_world(to))),
-                       rgba(item.colour, 1), item.outline_width, item.dash});
+                       rgba(item.outline.value_or(item.colour), 1), item.outline_width, item.dash});
     }
 }
 

@@ -46,6 +46,17 @@ bool has_tool(const Studio& studio) {
   return studio.ui.tool == tool;
 }
 
+// Pressed again, the key lets the drag go free.
+template <int axis>
+void keep_to_axis(Studio& studio, Arguments) {
+  std::optional<int>& kept = studio.ui.drag_axis;
+  kept = kept == axis ? std::nullopt : std::optional(axis);
+}
+
+std::string needs_handle(const Studio& studio) {
+  return studio.viewport.drag ? "" : "drag a handle of the selected box first";
+}
+
 void set_theme(Studio& studio, const char* theme) {
   studio.settings.theme = theme;
   studio.wanted_fonts = true;
@@ -227,6 +238,24 @@ void add_view_commands(std::vector<Command>& commands) {
            .key = "R",
            .run = take_tool<BoxTool::rotate>,
            .checked = has_tool<BoxTool::rotate>},
+          {.name = "axis-x",
+           .title = "Keep the drag to the x axis",
+           .menu = "Part",
+           .key = "X",
+           .run = keep_to_axis<0>,
+           .why_not = needs_handle},
+          {.name = "axis-y",
+           .title = "Keep the drag to the y axis",
+           .menu = "Part",
+           .key = "Y",
+           .run = keep_to_axis<1>,
+           .why_not = needs_handle},
+          {.name = "axis-z",
+           .title = "Keep the drag to the z axis",
+           .menu = "Part",
+           .key = "Z",
+           .run = keep_to_axis<2>,
+           .why_not = needs_handle},
           {.name = "next-shape",
            .title = "Next shape",
            .menu = "Shape",

@@ -1,6 +1,7 @@
 // Handles on the screen: their places and the search for the one under the cursor.
 #include "ui/gizmo.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -106,6 +107,17 @@ void add_resizers(std::vector<HandleShape>& shapes, const Box& box, const GizmoV
     }
 }
 
+// Leaves out the dots of `shapes` that would lie over those of `kept`: on thin boxes they crowd.
+std::vector<HandleShape> without_crowd(std::vector<HandleShape> shapes,
+                                       const std::vector<HandleShape>& kept) {
+  std::erase_if(shapes, [&](const HandleShape& shape) {
+    return std::any_of(kept.begin(), kept.end(), [&](const HandleShape& other) {
+      return glm::length(shape.points[0] - other.points[0]) < shape.radius + other.radius + 2;
+    });
+  });
+  return shapes;
+}
+
 double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
   const glm::dvec2 way = b - a;
   const double square = glm::dot(way, way);
@@ -154,17 +166,25 @@ std::vector<HandleShape> handle_shapes(const Box& box, BoxTool tool, const Gizmo
     add_rings(shapes, box, view, unit);
     return shapes;
   }
+  std::vector<HandleShape> faces;
+  add_resizers(faces, box, view, 1);
   if (tool == BoxTool::scale) {
-    add_resizers(shapes, box, view, 2);
-    add_resizers(shapes, box, view, 3);
-  } else {
-    add_planes(shapes, box, view, unit);
-    add_arrows(shapes, box, view, unit);
-    add_shape(shapes, view,
-              {{HandleKind::move_view, 0, {}}, HandleForm::dot, {}, middle_radius * view.scale, false},
-              {box.centre});
+    std::vector<HandleShape> corners;
+    add_resizers(corners, box, view, 3);
+    corners = without_crowd(std::move(corners), faces);
+    corners.insert(corners.end(), faces.begin(), faces.end());
+    std::vector<HandleShape> edges;
+    add_resizers(edges, box, view, 2);
+    shapes = without_crowd(std::move(edges), corners);
+    shapes.insert(shapes.end(), corners.begin(), corners.end());
+    return shapes;
   }
-  add_resizers(shapes, box, view, 1);
+  add_planes(shapes, box, view, unit);
+  add_arrows(shapes, box, view, unit);
+  add_shape(shapes, view,
+            {{HandleKind::move_view, 0, {}}, HandleForm::dot, {}, middle_radius * view.scale, false},
+            {box.centre});
+  shapes.insert(shapes.end(), faces.begin(), faces.end());
   return shapes;
 }
 

@@ -42,7 +42,8 @@ struct HandleShape {
 };
 
 // What the tool offers, in the order of drawing. Move: arrows, planes, the middle and the six faces; scale:
-// faces, edges and corners; rotate: a ring for each axis. What is seen too much from its end is left out.
+// faces, edges and corners; rotate: a ring for each axis. What is seen too much from its end is left out, and
+// edges and corners that would lie over other dots.
 std::vector<HandleShape> handle_shapes(const Box& box, BoxTool tool, const GizmoView& view);
 
 // The handle that is drawn under the cursor, with a few pixels to spare; of several the one drawn last.

@@ -118,7 +118,7 @@ void autosave(Studio& studio) {
 Studio::Studio(StudioOptions given)
     : options(std::move(given)),
       commands(all_commands()),
-      viewport(options.shaders),
+      viewport(options.shaders, options.wake),
       shape_loader(load_shape, options.wake),
       rows_reader(reread_rows, options.wake),
       document_saver(save_document, options.wake),
@@ -160,7 +160,8 @@ bool settled(const Studio& studio) {
   return !studio.drag && !studio.wanted_picture && studio.jobs.idle() && studio.shape_loader.idle() &&
          studio.live_fit.worker.idle() && studio.rows_reader.idle() && studio.directory_reader.idle() &&
          studio.document_saver.idle() && studio.thumbnails.idle() && !studio.live_fit.newly_shown &&
-         studio.live_fit.asked_shape == studio.shape.shape_revision;
+         studio.live_fit.asked_shape == studio.shape.shape_revision &&
+         !viewport_busy(studio.viewport, studio.shape.shape_revision);
 }
 
 bool wants_frames(const Studio& studio) {

@@ -213,6 +213,22 @@ TEST_CASE("each handle is found where it is drawn, and nothing far from all") {
   }
 }
 
+TEST_CASE("on a thin box edges and corners give way to faces, which always stay") {
+  GizmoView view;
+  view.viewport = viewport;
+  const auto count = [&](double thickness) {
+    const Box box{Vec3::Zero(), Vec3(0.5, 0.5, thickness)};
+    std::array<int, 4> sides{};
+    for (const HandleShape& shape : handle_shapes(box, BoxTool::scale, view))
+      ++sides[static_cast<std::size_t>(std::abs(shape.handle.side[0]) + std::abs(shape.handle.side[1]) +
+                                       std::abs(shape.handle.side[2]))];
+    return sides;
+  };
+  CHECK(count(0.5) == std::array{0, 6, 12, 8});
+  CHECK(count(0.04)[1] == 6);
+  CHECK(count(0.04)[2] < 12);
+}
+
 TEST_CASE("handles keep their size on the screen at any distance and grow with the screen's scale") {
   const Box box{Vec3::Zero(), Vec3(0.5, 0.5, 0.5)};
   const auto arrow = [&](double distance, double scale) {

@@ -1,0 +1,329 @@
+// The viewport through Dear ImGui's own hit testing: the mouse is set, frames are drawn, the document is
+// compared.
+#include "ui/viewport.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/session/actions.h"
+#include "render/convert.h"
+#include "tests/support/scratch_folder.h"
+#include "ui/command.h"
+#include "ui/headless_window.h"
+
+using namespace archetype;
+
+namespace {
+
+PartTemplate two_boxes() {
+  PartTemplate boxes;
+  boxes.name = "two";
+  for (const double x : {-0.7, 0.7}) {
+    TemplatePart part;
+    part.name = x < 0 ? "left" : "right";
+    part.position.mean = Vec3(x, 0, 0);
+    part.scale.mean = Vec3(0.4, 0.5, 0.3);
+    boxes.parts.push_back(part);
+  }
+  return boxes;
+}
+
+// A window with two boxes, seen from three quarters.
+struct Window {
+  test::ScratchFolder folder;
+  HeadlessWindow window{1200, 800, 1, options()};
+  Studio& studio = window.studio();
+  ViewportState& state = studio.viewport;
+  ImGuiIO& io = ImGui::GetIO();
+
+  Window() {
+    add_template(studio.history, two_boxes(), "Two boxes");
+    io.MousePos = {-1, -1};
+    state.camera.distance = 6;
+    frames(2);
+  }
+
+  StudioOptions options() const {
+    StudioOptions result;
+    const auto& path = folder.path();
+    result.folders = {path, path / "config", path / "data", path / "cache"};
+    result.assets = std::filesystem::path(ARCHETYPE_SOURCE_DIR) / "assets";
+    result.shaders = std::filesystem::path(ARCHETYPE_SOURCE_DIR) / "shaders";
+    result.furniture = path / "none";
+    return result;
+  }
+
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) window.frame();
+  }
+  Target area() const {
+    for (const Target& target : studio.targets)
+      if (target.name == "viewport") return target;
+    FAIL("the viewport was not drawn");
+    return {};
+  }
+  GizmoView view() const {
+    const Target t = area();
+    return {state.camera,
+            {static_cast<int>(t.high_x - t.low_x), static_cast<int>(t.high_y - t.low_y)},
+            static_cast<double>(studio.fonts.scale)};
+  }
+  glm::dvec2 pixel_of(const Vec3& place) const {
+    const GizmoView v = view();
+    return *to_screen(v.camera, v.viewport, to_glm(place));
+  }
+  void move_to(const glm::dvec2& pixel) {
+    const Target t = area();
+    // Dear ImGui rounds to whole pixels.
+    io.MousePos = {t.low_x + static_cast<float>(pixel.x), t.low_y + static_cast<float>(pixel.y)};
+    frames(2);
+  }
+  void press(const glm::dvec2& pixel, int button = 0) {
+    move_to(pixel);
+    io.MouseDown[button] = true;
+    frames(1);
+  }
+  void release(int button = 0) {
+    io.MouseDown[button] = false;
+    frames(1);
+  }
+  void click(const glm::dvec2& pixel) {
+    press(pixel);
+    release();
+  }
+  void drag(const glm::dvec2& from, const glm::dvec2& to, int button = 0) {
+    press(from, button);
+    for (const double t : {0.3, 0.6, 1.0}) move_to(glm::mix(from, to, t));
+    release(button);
+  }
+  Box box(std::size_t part) const {
+    return studio.history.current().active_template()->parts[part].mean_box();
+  }
+  std::size_t steps() const { return studio.history.entries().size(); }
+  std::optional<Handle> handle_at(const glm::dvec2& pixel) {
+    move_to(pixel);
+    return state.handle;
+  }
+};
+
+constexpr std::array<int, 3> high_x{1, 0, 0};
+
+bool same(const Box& a, const Box& b, double tolerance = 1e-9) {
+  return (a.centre - b.centre).norm() < tolerance && (a.half_extent - b.half_extent).norm() < tolerance &&
+         (a.orientation.coeffs() - b.orientation.coeffs()).norm() < tolerance;
+}
+
+}  // namespace
+
+TEST_CASE("a click selects the box, a click on empty space nothing") {
+  Window w;
+  w.click(w.pixel_of(w.box(1).centre));
+  CHECK(w.studio.ui.part == std::size_t{1});
+  w.click(w.pixel_of(w.box(0).centre));
+  CHECK(w.studio.ui.part == std::size_t{0});
+  w.click({20, 20});
+  CHECK_FALSE(w.studio.ui.part);
+  CHECK(w.steps() == 2);
+}
+
+TEST_CASE("clicking again takes the next box below the cursor") {
+  Window w;
+  Box inner = w.box(1);
+  inner.half_extent *= 0.4;
+  const std::size_t part = add_part(w.studio.history, inner);
+  const glm::dvec2 at = w.pixel_of(inner.centre + Vec3(0.05, 0.05, 0));
+  w.studio.ui.tool = BoxTool::rotate;  // no handle in the middle
+  for (const std::size_t expected : {std::size_t{1}, part, std::size_t{1}}) {
+    w.click(at);
+    CHECK(w.studio.ui.part == expected);
+  }
+}
+
+TEST_CASE("a face is dragged against the opposite one: live edits, then one step") {
+  Window w;
+  w.studio.ui.part = 1;
+  w.frames(1);
+  const Box before = w.box(1);
+  const std::size_t steps = w.steps();
+  const glm::dvec2 from = w.pixel_of(before.to_world(Vec3(1, 0, 0)));
+  const glm::dvec2 to = w.pixel_of(before.to_world(Vec3(1, 0, 0)) + Vec3(0.3, 0, 0));
+  REQUIRE(w.handle_at(from) == Handle{HandleKind::resize, 0, high_x});
+  w.press(from);
+  w.move_to(glm::mix(from, to, 0.5));
+  CHECK(w.studio.history.has_preview());
+  CHECK(w.box(1).half_extent.x() > before.half_extent.x() + 0.05);
+  CHECK(w.steps() == steps);
+  w.move_to(to);
+  w.release();
+  CHECK_FALSE(w.studio.history.has_preview());
+  CHECK(w.steps() == steps + 1);
+  CHECK(w.box(1).half_extent.x() == doctest::Approx(before.half_extent.x() + 0.15).epsilon(0.02));
+  CHECK((w.box(1).to_world(Vec3(-1, 0, 0)) - before.to_world(Vec3(-1, 0, 0))).norm() < 1e-9);
+  CHECK(same(w.box(0), two_boxes().parts[0].mean_box()));
+  CHECK(w.studio.history.undo());
+  CHECK(same(w.box(1), before));
+}
+
+TEST_CASE("Alt resizes about the centre") {
+  Window w;
+  w.studio.ui.part = 1;
+  w.frames(1);
+  const Box before = w.box(1);
+  w.io.KeyAlt = true;
+  w.drag(w.pixel_of(before.to_world(Vec3(1, 0, 0))), w.pixel_of(before.to_world(Vec3(1.5, 0, 0))));
+  CHECK((w.box(1).centre - before.centre).norm() < 1e-9);
+  CHECK(w.box(1).half_extent.x() == doctest::Approx(1.5 * before.half_extent.x()).epsilon(0.02));
+}
+
+TEST_CASE("the middle moves the box, and X, Y and Z keep it to an axis") {
+  Window w;
+  w.studio.ui.part = 0;
+  w.frames(1);
+  const Box before = w.box(0);
+  const glm::dvec2 from = w.pixel_of(before.centre);
+  w.press(from);
+  w.move_to(from + glm::dvec2(40, -90));
+  CHECK((w.box(0).centre - before.centre).norm() > 0.1);
+  REQUIRE(run_command(w.studio, "axis-y"));
+  w.frames(1);
+  w.release();
+  const Vec3 way = w.box(0).centre - before.centre;
+  CHECK(way.x() == doctest::Approx(0));
+  CHECK(way.z() == doctest::Approx(0));
+  CHECK(way.y() > 0.1);
+  CHECK(w.box(0).half_extent == before.half_extent);
+}
+
+TEST_CASE("keeping to an axis needs a drag, and a second press lets go") {
+  Window w;
+  CHECK_FALSE(run_command(w.studio, "axis-x"));
+  w.studio.ui.part = 0;
+  w.frames(1);
+  w.press(w.pixel_of(w.box(0).centre));
+  CHECK(run_command(w.studio, "axis-x"));
+  CHECK(w.studio.ui.drag_axis == 0);
+  CHECK(run_command(w.studio, "axis-x"));
+  CHECK_FALSE(w.studio.ui.drag_axis);
+  w.release();
+}
+
+TEST_CASE("Esc while dragging puts the box back, and the rest of the drag does nothing") {
+  Window w;
+  w.studio.ui.part = 1;
+  w.frames(1);
+  const Box before = w.box(1);
+  const std::size_t steps = w.steps();
+  const glm::dvec2 from = w.pixel_of(before.centre);
+  w.press(from);
+  w.move_to(from + glm::dvec2(60, 10));
+  REQUIRE(w.studio.history.has_preview());
+  run_command(w.studio, "cancel");
+  w.move_to(from + glm::dvec2(120, 40));
+  CHECK_FALSE(w.studio.history.has_preview());
+  CHECK(same(w.box(1), before));
+  w.release();
+  CHECK(w.steps() == steps);
+  CHECK(w.studio.ui.part == std::size_t{1});
+}
+
+TEST_CASE("undo while dragging ends the drag") {
+  Window w;
+  w.studio.ui.part = 1;
+  w.frames(1);
+  const glm::dvec2 from = w.pixel_of(w.box(1).centre);
+  w.press(from);
+  w.move_to(from + glm::dvec2(60, 10));
+  w.studio.history.undo();
+  w.move_to(from + glm::dvec2(90, 10));
+  w.release();
+  CHECK_FALSE(w.studio.history.has_preview());
+  CHECK(w.state.action == MouseAction::none);
+}
+
+TEST_CASE("a click on a handle is no edit") {
+  Window w;
+  w.studio.ui.part = 1;
+  w.frames(1);
+  const std::size_t steps = w.steps();
+  w.click(w.pixel_of(w.box(1).to_world(Vec3(1, 0, 0))));
+  CHECK(w.steps() == steps);
+  CHECK_FALSE(w.studio.history.has_preview());
+  CHECK(w.studio.ui.part == std::size_t{1});
+}
+
+TEST_CASE("only the selected box has handles: elsewhere a drag orbits, and edits nothing") {
+  Window w;
+  w.studio.ui.part = 1;
+  w.frames(1);
+  const Document before = w.studio.history.current();
+  const Camera camera = w.state.camera;
+  w.drag(w.pixel_of(w.box(0).to_world(Vec3(-1, 0, 0))), w.pixel_of(w.box(0).centre) - glm::dvec2(120, 40));
+  CHECK(w.studio.history.current() == before);
+  CHECK(w.state.camera.yaw != camera.yaw);
+  CHECK(w.state.camera.target == camera.target);
+  CHECK(w.studio.ui.part == std::size_t{1});
+}
+
+TEST_CASE("the middle button and Shift pan, so that the scene follows the cursor") {
+  for (const bool shift : {false, true}) {
+    Window w;
+    const Camera before = w.state.camera;
+    const glm::dvec2 start = w.pixel_of(to_eigen(before.target));
+    w.io.KeyShift = shift;
+    w.drag({60, 60}, {160, 110}, shift ? 0 : 2);
+    CHECK(glm::length(w.pixel_of(to_eigen(before.target)) - start - glm::dvec2(100, 50)) < 0.5);
+    CHECK(w.state.camera.yaw == before.yaw);
+  }
+}
+
+TEST_CASE("the wheel zooms to the cursor") {
+  Window w;
+  const Vec3 corner = w.box(1).to_world(Vec3(1, 1, 1));
+  const glm::dvec2 at = w.pixel_of(corner);
+  w.move_to(at);
+  const double distance = w.state.camera.distance;
+  w.io.MouseWheel = 2;
+  w.frames(2);
+  CHECK(w.state.camera.distance < 0.8 * distance);
+  CHECK(glm::length(w.pixel_of(corner) - at) < 1);
+}
+
+TEST_CASE("views and frames that commands wish for are flown to") {
+  Window w;
+  run_command(w.studio, "view-right");
+  for (int i = 0; i < 1000 && (w.state.flight || i == 0); ++i) w.frames(1);
+  Camera right;
+  look_from(right, ViewPreset::right);
+  CHECK(w.state.camera.yaw == right.yaw);
+  CHECK(w.state.camera.pitch == right.pitch);
+  w.studio.ui.part = 0;
+  run_command(w.studio, "frame");
+  for (int i = 0; i < 1000 && (w.state.flight || i == 0); ++i) w.frames(1);
+  CHECK(glm::length(w.state.camera.target - to_glm(w.box(0).centre)) < 1e-9);
+}
+
+TEST_CASE("the picture is drawn anew only when something changed") {
+  Window w;
+  for (int i = 0; i < 1000 && viewport_busy(w.state, w.studio.shape.shape_revision); ++i) w.frames(1);
+  CHECK(w.state.drawn_fine);
+  const auto drawn = w.state.drawn;
+  w.frames(3);
+  CHECK(w.state.drawn_fine);
+  CHECK(w.state.drawn == drawn);
+  w.studio.ui.part = 1;
+  w.frames(1);
+  CHECK_FALSE(w.state.drawn_fine);
+}
+
+TEST_CASE("another way to navigate: Blender's buttons") {
+  Window w;
+  w.studio.settings.navigation = "blender";
+  const Camera before = w.state.camera;
+  w.drag({60, 60}, {160, 110}, 0);
+  CHECK(w.state.camera == before);
+  w.drag({60, 60}, {160, 110}, 2);
+  CHECK(w.state.camera.yaw != before.yaw);
+}

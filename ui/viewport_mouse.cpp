@@ -1,0 +1,164 @@
+// Orbit, pan, zoom, selection and drags. Only handles edit: orbiting can never move a box.
+#include "ui/viewport_mouse.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/session/actions.h"
+#include "render/picking.h"
+#include "ui/studio.h"
+
+namespace archetype {
+namespace {
+
+constexpr double click_reach = 4;             // pixels that a click may move, at scale 1
+constexpr double radians_per_pixel = 0.0085;  // at scale 1
+constexpr double zoom_per_notch = 0.87;
+constexpr double zoom_per_pixel = 0.994;  // upwards, at scale 1
+
+// Clicking again on the same place takes the next box below the cursor.
+void select_at(Studio& studio, const Scene& scene, const GizmoView& view, const glm::dvec2& cursor) {
+  std::vector<std::size_t> parts;
+  const PartTemplate* active = studio.history.current().active_template();
+  if (active && studio.ui.view.mean_boxes)
+    for (const Pick& pick : pick_boxes(scene, ray_through(view.camera, view.viewport, cursor)))
+      if (pick.object < active->parts.size()) parts.push_back(pick.object);
+  if (parts.empty()) {
+    studio.ui.part.reset();
+    return;
+  }
+  const auto current = std::find(parts.begin(), parts.end(), studio.ui.part);
+  const bool next = current != parts.end() && current + 1 != parts.end();
+  studio.ui.part = next ? *(current + 1) : parts.front();
+}
+
+// What dragging with a button does where there is no handle. None: it only clicks.
+MouseAction camera_action(Navigation navigation, const MouseInput& mouse) {
+  const bool left = mouse.button == ImGuiMouseButton_Left;
+  const bool right = mouse.button == ImGuiMouseButton_Right;
+  switch (navigation) {
+    case Navigation::archetype:
+      if (right) return MouseAction::none;
+      return left && !mouse.shift ? MouseAction::orbit : MouseAction::pan;
+    case Navigation::blender:
+      if (left || right) return MouseAction::none;
+      return mouse.shift ? MouseAction::pan : mouse.ctrl ? MouseAction::zoom : MouseAction::orbit;
+    case Navigation::maya:
+      if (!mouse.alt) return MouseAction::none;
+      return left ? MouseAction::orbit : right ? MouseAction::zoom : MouseAction::pan;
+  }
+  return MouseAction::none;
+}
+
+void begin(Studio& studio, const MouseInput& mouse) {
+  ViewportState& state = studio.viewport;
+  state.flight.reset();
+  state.pressed_at = mouse.cursor;
+  state.last_cursor = mouse.cursor;
+  const bool left = mouse.button == ImGuiMouseButton_Left;
+  state.after_click = camera_action(studio.ui.navigation, mouse);
+  const bool for_camera = studio.ui.navigation == Navigation::maya && mouse.alt;
+  const PartTemplate* active = studio.history.current().active_template();
+  if (left && !for_camera && state.handle && active && studio.ui.part &&
+      *studio.ui.part < active->parts.size()) {
+    state.action = MouseAction::handle;
+    state.drag = BoxDrag{*state.handle, active->parts[*studio.ui.part].mean_box(), mouse.cursor};
+    state.drag_previewed = false;
+    studio.ui.drag_axis.reset();
+    return;
+  }
+  state.action = left ? MouseAction::click : state.after_click;
+}
+
+DragModifiers modifiers(const Studio& studio, const MouseInput& mouse) {
+  return {.about_centre = mouse.alt, .steps = mouse.ctrl, .only_axis = studio.ui.drag_axis};
+}
+
+void end_drag(ViewportState& state) {
+  state.action = MouseAction::none;
+  state.drag.reset();
+  state.drag_previewed = false;
+}
+
+void drag_handle(Studio& studio, const MouseInput& mouse, const GizmoView& view) {
+  ViewportState& state = studio.viewport;
+  // Esc and undo drop the preview; the selection may go with it.
+  const bool dropped = state.drag_previewed && !studio.history.has_preview();
+  if (dropped || !studio.ui.part) {
+    end_drag(state);
+    return;
+  }
+  const Box box = dragged_box(*state.drag, view, mouse.cursor, modifiers(studio, mouse));
+  if (mouse.released) {
+    // A click on a handle, or a drag that came back to its start, is no edit.
+    if (state.drag_previewed) studio.history.cancel_preview();
+    if (state.drag_previewed) set_part_box(studio.history, *studio.ui.part, box, Stage::done);
+    end_drag(state);
+    return;
+  }
+  const bool moved = glm::length(mouse.cursor - state.pressed_at) > click_reach * view.scale;
+  if (!moved && !state.drag_previewed) return;
+  set_part_box(studio.history, *studio.ui.part, box, Stage::live);
+  state.drag_previewed = true;
+}
+
+void hover(Studio& studio, const MouseInput& mouse, const Scene& scene, const GizmoView& view,
+           const std::vector<HandleShape>& shapes) {
+  ViewportState& state = studio.viewport;
+  state.hovered.reset();
+  state.handle.reset();
+  if (!mouse.over) return;
+  state.handle = find_handle(shapes, view, mouse.cursor);
+  if (state.handle) return;
+  const PartTemplate* active = studio.history.current().active_template();
+  if (!active || !studio.ui.view.mean_boxes) return;
+  const auto picks = pick_boxes(scene, ray_through(view.camera, view.viewport, mouse.cursor));
+  if (!picks.empty() && picks.front().object < active->parts.size()) state.hovered = picks.front().object;
+}
+
+void move_camera(ViewportState& state, const MouseInput& mouse, const GizmoView& view) {
+  const glm::dvec2 way = mouse.cursor - state.last_cursor;
+  if (state.action == MouseAction::orbit)
+    orbit(state.camera, -way.x * radians_per_pixel / view.scale, way.y * radians_per_pixel / view.scale);
+  if (state.action == MouseAction::pan) pan(state.camera, view.viewport, state.last_cursor, mouse.cursor);
+  if (state.action == MouseAction::zoom)
+    zoom(state.camera, view.viewport, state.pressed_at, std::pow(zoom_per_pixel, -way.y / view.scale));
+  state.last_cursor = mouse.cursor;
+}
+
+}  // namespace
+
+void follow_mouse(Studio& studio, const MouseInput& mouse, const Scene& scene, const GizmoView& view,
+                  const std::vector<HandleShape>& shapes) {
+  ViewportState& state = studio.viewport;
+  if (mouse.over && mouse.wheel != 0) {
+    state.flight.reset();
+    zoom(state.camera, view.viewport, mouse.cursor, std::pow(zoom_per_notch, mouse.wheel));
+  }
+  if (state.action == MouseAction::none) hover(studio, mouse, scene, view, shapes);
+  if (mouse.pressed) begin(studio, mouse);
+  if (state.action == MouseAction::none) return;
+  if (!mouse.held && !mouse.released) {
+    // Somebody else took the mouse: Esc was pressed, or the window lost it.
+    if (state.drag_previewed) studio.history.cancel_preview();
+    end_drag(state);
+    return;
+  }
+  if (state.action == MouseAction::handle) {
+    drag_handle(studio, mouse, view);
+    return;
+  }
+  if (state.action == MouseAction::click) {
+    if (glm::length(mouse.cursor - state.pressed_at) > click_reach * view.scale)
+      state.action = state.after_click;
+    else if (mouse.released)
+      select_at(studio, scene, view, mouse.cursor);
+  }
+  move_camera(state, mouse, view);
+  if (mouse.released) state.action = MouseAction::none;
+}
+
+}  // namespace archetype

@@ -1,0 +1,24 @@
+// What is drawn over the picture of the viewport with Dear ImGui: handles, the names of parts, the axes.
+#pragma once
+
+#include <imgui.h>
+
+#include <optional>
+#include <vector>
+
+#include "core/model/part_template.h"
+#include "ui/gizmo.h"
+
+namespace archetype {
+
+// All of them draw into the clip rectangle of `draw`; `origin` is the upper left corner of the viewport
+// there.
+void draw_handles(ImDrawList& draw, ImVec2 origin, const std::vector<HandleShape>& shapes,
+                  const std::optional<Handle>& highlighted, double scale);
+// Each name above its box; one that would lie over another's is left out, the selected part's never.
+void draw_part_names(ImDrawList& draw, ImVec2 origin, const PartTemplate& part_template,
+                     std::optional<std::size_t> selected, const GizmoView& view);
+// In the lower left corner: where x, y and z point.
+void draw_axes(ImDrawList& draw, ImVec2 origin, const GizmoView& view, ImU32 text_colour);
+
+}  // namespace archetype

@@ -1,0 +1,156 @@
+// The scene of the viewport.
+#include "ui/viewport_scene.h"
+
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "render/convert.h"
+#include "render/thumbnails.h"
+
+namespace archetype {
+namespace {
+
+constexpr Rgb plain_light{196, 192, 186};
+constexpr Rgb plain_dark{178, 177, 175};
+
+Rgb plain_colour(Backdrop backdrop) {
+  return backdrop == Backdrop::light ? plain_light : plain_dark;
+}
+
+glm::mat4 shape_to_scene(const ViewFit* fit) {
+  glm::mat4 matrix(1);
+  if (!fit) return matrix;
+  const Vec3 origin = fit->fit.to_template(Vec3::Zero());
+  for (int k = 0; k < 3; ++k)
+    matrix[k] = glm::vec4(to_glm(Vec3(fit->fit.to_template(Vec3::Unit(k)) - origin)), 0);
+  return matrix;
+}
+
+std::optional<std::pair<glm::dvec3, glm::dvec3>> shape_extent(const ViewportContent& content) {
+  const auto box = [&](const auto& geometry) {
+    // A quarter turn about up: the corners stay corners.
+    const glm::mat4 turn = shape_to_scene(content.fit);
+    const glm::dvec3 a(turn * glm::vec4(geometry.low, 1));
+    const glm::dvec3 b(turn * glm::vec4(geometry.high, 1));
+    return std::pair(glm::min(a, b), glm::max(a, b));
+  };
+  if (content.display.mesh && content.display.mesh->triangle_count() > 0) return box(*content.display.mesh);
+  if (content.display.points) return box(*content.display.points);
+  if (content.display.samples) return box(*content.display.samples);
+  return std::nullopt;
+}
+
+// Towards white over a dark backdrop and black over a light one, so that outlines stand out from surfaces of
+// the same colour, and dark hues from the backdrop.
+Rgb contrasting(const Rgb& colour, Backdrop backdrop, double share) {
+  Rgb result;
+  const double towards = backdrop == Backdrop::light ? 0 : 255;
+  for (std::size_t k = 0; k < 3; ++k)
+    result[k] = static_cast<std::uint8_t>(std::lround((1 - share) * colour[k] + share * towards));
+  return result;
+}
+
+void add_shape(const ViewportContent& content, Scene& scene) {
+  const ViewOptions& view = content.view;
+  const glm::mat4 turn = shape_to_scene(content.fit);
+  const bool by_part = view.colour == SurfaceColour::part;
+  const Rgb plain = plain_colour(content.backdrop);
+  if (content.display.mesh && (view.surface || view.wireframe)) {
+    const bool coarse = content.moving && content.display.coarse;
+    SceneMesh mesh{.geometry = coarse ? content.display.coarse : content.display.mesh,
+                   .colour = plain,
+                   .transform = turn};
+    if (by_part) mesh.face_colours = content.colours.elements;
+    mesh.surface = view.surface;
+    mesh.edges = view.wireframe;
+    scene.meshes.push_back(std::move(mesh));
+  }
+  if (content.display.points && (view.surface || view.points)) {
+    ScenePoints points{.geometry = content.display.points, .colour = plain, .transform = turn};
+    if (by_part) points.colours = content.colours.elements;
+    scene.points.push_back(std::move(points));
+  }
+  // Without its file a shape is still seen by its samples.
+  const bool no_file = !content.display.mesh && !content.display.points;
+  if (content.display.samples && (view.points || no_file)) {
+    ScenePoints samples{.geometry = content.display.samples, .colour = plain, .transform = turn};
+    if (by_part) samples.colours = content.colours.samples;
+    if (view.surface && !no_file) samples.radius = 0.35F * samples.geometry->spacing;
+    scene.points.push_back(std::move(samples));
+  }
+}
+
+void add_mean_boxes(const ViewportContent& content, Scene& scene) {
+  const auto& parts = content.part_template->parts;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    SceneBox box{.box = parts[i].mean_box(), .colour = part_colour(static_cast<int>(i))};
+    const bool chosen = content.selected == i;
+    box.fill = chosen ? 0.24F : content.hovered == i ? 0.2F : 0.12F;
+    box.outline = contrasting(box.colour, content.backdrop, chosen ? 0.65 : 0.25);
+    box.outline_width = chosen ? 2.6F : content.hovered == i ? 2.2F : 1.5F;
+    const bool known = content.fit && i < content.fit->fit.parts.size();
+    if (known && !content.fit->fit.parts[i].present) box.dash = 6;
+    scene.boxes.push_back(box);
+  }
+}
+
+void add_fitted_boxes(const ViewportContent& content, Scene& scene) {
+  const ShapeFit& fit = content.fit->fit;
+  for (std::size_t i = 0; i < fit.parts.size(); ++i) {
+    if (!fit.parts[i].present) continue;
+    SceneBox box{.box = fit.parts[i].box, .colour = part_colour(static_cast<int>(i)), .fill = 0.05F};
+    box.box.centre += fit.translation;
+    box.outline_width = 1.2F;
+    if (content.view.mean_boxes) box.dash = 3;
+    scene.boxes.push_back(box);
+  }
+}
+
+}  // namespace
+
+ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display) {
+  ShapeColours colours;
+  // While another shape is being loaded the labels may still be those of the one before.
+  const std::size_t elements = display.mesh     ? display.mesh->face_count
+                               : display.points ? display.points->positions.size()
+                                                : 0;
+  if (elements > 0 && fit.element_labels.size() == elements)
+    colours.elements = colours_of_labels(fit.element_labels);
+  if (display.samples && fit.fit.labels.size() == display.samples->positions.size())
+    colours.samples = colours_of_labels(fit.fit.labels);
+  return colours;
+}
+
+Scene make_viewport_scene(const ViewportContent& content) {
+  Scene scene;
+  scene.backdrop = content.backdrop;
+  scene.grid = content.view.ground;
+  if (const auto extent = shape_extent(content)) scene.ground = static_cast<float>(extent->first.y);
+  add_shape(content, scene);
+  if (content.part_template && content.view.mean_boxes) add_mean_boxes(content, scene);
+  if (content.fit && content.view.fitted_boxes) add_fitted_boxes(content, scene);
+  return scene;
+}
+
+std::optional<std::pair<glm::dvec3, glm::dvec3>> extent_to_frame(const ViewportContent& content) {
+  Bounds bounds;
+  const auto add_box = [&](const Box& box) {
+    for (int corner = 0; corner < 8; ++corner)
+      bounds.add(box.to_world(
+          Vec3((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1)));
+  };
+  if (content.selected && content.part_template && *content.selected < content.part_template->parts.size()) {
+    add_box(content.part_template->parts[*content.selected].mean_box());
+  } else {
+    if (const auto extent = shape_extent(content)) {
+      bounds.add(to_eigen(extent->first));
+      bounds.add(to_eigen(extent->second));
+    }
+    if (content.part_template && content.view.mean_boxes)
+      for (const TemplatePart& part : content.part_template->parts) add_box(part.mean_box());
+  }
+  if (bounds.empty()) return std::nullopt;
+  return std::pair(to_glm(bounds.low), to_glm(bounds.high));
+}
+
+}  // namespace archetype
