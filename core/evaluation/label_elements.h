@@ -1,10 +1,13 @@
 // From labels of samples to labels of the file's faces (section 5, "Segmentation accuracy").
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "core/fitting/alpha_expansion.h"
 #include "core/fitting/fit_options.h"
+#include "core/geometry/kd_tree.h"
 #include "core/geometry/polygon_mesh.h"
 #include "core/model/part_template.h"
 #include "core/model/shape.h"
@@ -12,9 +15,41 @@
 
 namespace archetype {
 
-// The part index of every face of the file (of every point of a point set), in file order; null_label where
-// the fit calls the place an outlier. A cut over the faces where the mesh is usable as a surface, a vote of
-// the nearest samples where it is a soup.
+// What labelling the faces of one shape needs that does not depend on the fit: made once where many fits of
+// one shape are labelled, as while a box is dragged. Making it costs about 40 ms for 20,000 faces, each
+// labelling about 10 ms.
+class ElementLabeller {
+ public:
+  // Throws PreconditionError if the samples are not of this mesh. Keeps copies of what it needs of the mesh;
+  // the samples must stay.
+  ElementLabeller(const PolygonMesh& mesh, const ShapeSamples& samples, const FitOptions& options);
+
+  // The part index of every face of the file (of every point of a point set), in file order; null_label where
+  // the fit calls the place an outlier. A cut over the faces where the mesh is usable as a surface, a vote of
+  // the nearest samples where it is a soup.
+  std::vector<std::int16_t> label(const PartTemplate& part_template, const ShapeFit& fit) const;
+
+ private:
+  static constexpr std::size_t nearest_count = 3;
+  struct Element {
+    Vec3 point;  // normalised: the centre of the face, or the point
+    double area_share = 0;
+    std::array<std::uint32_t, nearest_count> nearest{};  // samples, nearest first
+    std::array<double, nearest_count> weights{};         // by inverse squared distance, together 1
+  };
+  std::vector<std::int16_t> cut(const PartTemplate& part_template, const ShapeFit& fit) const;
+  std::vector<std::int16_t> vote(const ShapeFit& fit) const;
+
+  const ShapeSamples* samples_;
+  FitOptions options_;
+  KdTree tree_;           // over the samples
+  bool surface_ = false;  // the mesh has an adjacency worth a cut
+  std::vector<Element> elements_;
+  LabellingGraph faces_;   // if surface_
+  LabellingGraph points_;  // if surface_
+};
+
+// The same for one fit.
 std::vector<std::int16_t> label_elements(const PolygonMesh& mesh, const ShapeSamples& samples,
                                          const PartTemplate& part_template, const ShapeFit& fit,
                                          const FitOptions& options);

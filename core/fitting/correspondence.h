@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/fitting/template_surface.h"
+#include "core/geometry/kd_tree.h"
 #include "core/model/shape_fit.h"
 
 namespace archetype {
@@ -18,8 +19,17 @@ struct Correspondences {
   std::vector<std::uint32_t> on_shape;
 };
 
-// points: in the template's frame; labels: part index or null_label, one per point; boxes: one per part.
-void match(std::span<const Vec3> points, std::span<const std::int16_t> labels, std::span<const Box> boxes,
+// The samples of a shape, and how it stands in the template's frame.
+struct PlacedSamples {
+  const KdTree* tree;            // over the samples where they are, in the shape's own frame
+  std::span<const Vec3> points;  // in the template's frame: turned by -yaw, then moved by -translation
+  int yaw_quarters;
+  Vec3 translation;
+};
+
+// labels: part index or null_label, one per sample; boxes: one per part. What `result` holds from an earlier
+// call makes the search short, and changes nothing else.
+void match(const PlacedSamples& samples, std::span<const std::int16_t> labels, std::span<const Box> boxes,
            const TemplateSurface& surface, Correspondences& result);
 
 }  // namespace archetype

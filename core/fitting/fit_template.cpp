@@ -14,6 +14,28 @@ namespace archetype {
 
 namespace {
 
+// Differs from the paper: alternations also end when they gain less than this share of the energy. Without it
+// single points at boundaries flip for dozens of alternations; energies end within 0.1 % of those without, in
+// half the time.
+constexpr double smallest_gain = 1e-4;
+
+// Every yaw takes this many alternations before the best of them is followed to its end; each other one goes
+// on only as long as that many more of its last gain could still make it the best. In 320 fits of four
+// classes one ended above the energy of the four yaws done in.
+constexpr int first_alternations = 2;
+constexpr double more_gains = 25;
+
+// One yaw on its way.
+struct Alternation {
+  ShapeFit fit;  // the state after the last alternation
+  std::vector<Box> boxes;
+  std::vector<std::int16_t> labels;
+  Vec3 translation;
+  Correspondences matches;
+  double gain = 1;  // of the last alternation, as a share of the energy
+  bool ended = false;
+};
+
 // What stays the same over yaws and alternations.
 class Fitter {
  public:
@@ -21,6 +43,7 @@ class Fitter {
       : template_(with_expected_features(part_template)),
         samples_(samples),
         options_(options),
+        tree_(samples.points),
         surface_(sample_template(template_, options.template_points)),
         graph_(make_point_graph(samples, options)),
         unit_(options.distance_unit * samples.radius) {
@@ -28,10 +51,10 @@ class Fitter {
     if (samples.size() == 0) throw PreconditionError("a shape without samples cannot be fitted");
   }
 
-  // From the mean boxes, the shape turned by `yaw` and moved by `translation`; `labels` may be empty. Nothing
-  // if cancelled.
-  std::optional<ShapeFit> alternate(int yaw, const Vec3& translation, std::vector<std::int16_t> labels,
-                                    const JobControl& control, FitRecording* recording);
+  // At the mean boxes, the shape turned by `yaw` and moved by `translation`; `labels` may be empty.
+  Alternation start(int yaw, const Vec3& translation, std::vector<std::int16_t> labels) const;
+  // One alternation; sets `ended` when there is nothing more to gain.
+  void advance(Alternation& run);
 
  private:
   void label(std::span<const Box> boxes, std::span<const double> features, std::vector<std::int16_t>& labels);
@@ -40,6 +63,7 @@ class Fitter {
   PartTemplate template_;
   const ShapeSamples& samples_;
   const FitOptions& options_;
+  KdTree tree_;
   TemplateSurface surface_;
   LabellingGraph graph_;
   double unit_;
@@ -77,54 +101,53 @@ void Fitter::label(std::span<const Box> boxes, std::span<const double> features,
   std::replace(labels.begin(), labels.end(), null, null_label);
 }
 
-std::optional<ShapeFit> Fitter::alternate(int yaw, const Vec3& translation, std::vector<std::int16_t> labels,
-                                          const JobControl& control, FitRecording* recording) {
-  const std::span<const double> features = features_of(yaw);
-  std::vector<Box> boxes;
-  for (const TemplatePart& part : template_.parts) boxes.push_back(part.mean_box());
-  Vec3 moved = translation;
-  Correspondences matches;
-  ShapeFit best;
-  best.yaw_quarters = yaw;
-  best.translation = translation;
-  for (const Box& box : boxes) best.parts.push_back({false, box});
-  best.labels.assign(samples_.size(), null_label);
-  if (recording) recording->steps = {best};
-  for (int k = 1; k <= options_.max_alternations; ++k) {
-    if (control.cancelled()) return std::nullopt;
-    points_.clear();
-    for (const Vec3& p : samples_.points) points_.push_back(turn_quarters(p, -yaw) - moved);
-    label(boxes, features, labels);
-    match(points_, labels, boxes, surface_, matches);
-    const MatchedShape shape{points_, labels, &surface_, &matches, unit_};
-    const FitEnergy energy = fit_energy(shape, template_, boxes, features, graph_, options_);
-    // The labelling cannot see E_t->s (its matches are only defined once all points have labels), so an
-    // alternation as a whole may fail to gain. Then the one before was the best, and no later one differs
-    // from this.
-    if (k > 1 && energy.total() >= best.energy.total()) {
-      best.converged = true;
-      break;
-    }
-    const bool same_labels = k > 1 && labels == best.labels;
-    best.translation = moved;
-    best.labels = labels;
-    best.energy = energy;
-    best.alternations = k;
-    for (std::size_t p = 0; p < boxes.size(); ++p) best.parts[p] = {false, boxes[p]};
-    for (const auto l : labels) {
-      if (l != null_label) best.parts[static_cast<std::size_t>(l)].present = true;
-    }
-    if (recording) recording->steps.push_back(best);
-    if (same_labels) {
-      best.converged = true;
-      break;
-    }
-    const Vec3 step = rigid_step(shape, boxes);
-    moved -= step;
-    for (Vec3& p : points_) p += step;
-    deformation_step(shape, template_, options_, boxes);
+Alternation Fitter::start(int yaw, const Vec3& translation, std::vector<std::int16_t> labels) const {
+  Alternation run;
+  for (const TemplatePart& part : template_.parts) {
+    run.boxes.push_back(part.mean_box());
+    run.fit.parts.push_back({false, run.boxes.back()});
   }
-  return best;
+  run.fit.yaw_quarters = yaw;
+  run.fit.translation = run.translation = translation;
+  run.fit.labels.assign(samples_.size(), null_label);
+  run.labels = std::move(labels);
+  return run;
+}
+
+void Fitter::advance(Alternation& run) {
+  const int yaw = run.fit.yaw_quarters;
+  const std::span<const double> features = features_of(yaw);
+  points_.clear();
+  for (const Vec3& p : samples_.points) points_.push_back(turn_quarters(p, -yaw) - run.translation);
+  label(run.boxes, features, run.labels);
+  match({&tree_, points_, yaw, run.translation}, run.labels, run.boxes, surface_, run.matches);
+  const MatchedShape shape{points_, run.labels, &surface_, &run.matches, unit_};
+  const FitEnergy energy = fit_energy(shape, template_, run.boxes, features, graph_, options_);
+  // The labelling cannot see E_t->s (its matches are only defined once all points have labels), so an
+  // alternation as a whole may fail to gain. Then the one before was the best, and no later one differs from
+  // this.
+  const bool first = run.fit.alternations == 0;
+  run.gain = first ? 1 : 1 - energy.total() / run.fit.energy.total();
+  if (run.gain <= 0) {
+    run.fit.converged = run.ended = true;
+    return;
+  }
+  const bool same_labels = !first && run.labels == run.fit.labels;
+  run.fit.translation = run.translation;
+  run.fit.labels = run.labels;
+  run.fit.energy = energy;
+  ++run.fit.alternations;
+  for (std::size_t p = 0; p < run.boxes.size(); ++p) run.fit.parts[p] = {false, run.boxes[p]};
+  for (const auto l : run.labels) {
+    if (l != null_label) run.fit.parts[static_cast<std::size_t>(l)].present = true;
+  }
+  run.fit.converged = same_labels || run.gain < smallest_gain;
+  run.ended = run.fit.converged || run.fit.alternations >= options_.max_alternations;
+  if (run.ended) return;
+  const Vec3 step = rigid_step(shape, run.boxes);
+  run.translation -= step;
+  for (Vec3& p : points_) p += step;
+  deformation_step(shape, template_, options_, run.boxes);
 }
 
 }  // namespace
@@ -133,22 +156,43 @@ std::optional<ShapeFit> fit_template(const PartTemplate& part_template, const Sh
                                      const FitOptions& options, const JobControl& control,
                                      FitRecording* recording) {
   Fitter fitter(part_template, samples, options);
-  std::optional<ShapeFit> best;
-  std::array<double, 4> energies;
-  energies.fill(std::numeric_limits<double>::infinity());
+  std::vector<Alternation> runs;
+  std::array<FitRecording, 4> recordings;
+  const auto advance = [&](Alternation& run) {
+    fitter.advance(run);
+    auto& steps = recordings[static_cast<std::size_t>(run.fit.yaw_quarters)].steps;
+    // An alternation that gained nothing leaves the fit as it was.
+    if (recording && static_cast<int>(steps.size()) <= run.fit.alternations) steps.push_back(run.fit);
+  };
   for (int yaw = 0; yaw < 4; ++yaw) {
     if (!options.yaws[static_cast<std::size_t>(yaw)]) continue;
-    FitRecording steps;
-    auto fit = fitter.alternate(yaw, Vec3::Zero(), {}, control, recording ? &steps : nullptr);
-    if (!fit) return std::nullopt;
-    energies[static_cast<std::size_t>(yaw)] = fit->energy.total();
-    if (best && fit->energy.total() >= best->energy.total()) continue;
-    best = std::move(fit);
-    if (recording) *recording = std::move(steps);
+    Alternation& run = runs.emplace_back(fitter.start(yaw, Vec3::Zero(), {}));
+    if (recording) recordings[static_cast<std::size_t>(yaw)].steps.push_back(run.fit);
+    for (int i = 0; i < first_alternations && !run.ended && !control.cancelled(); ++i) advance(run);
   }
-  if (!best) throw PreconditionError("no yaw was given to try");
-  best->yaw_energies = energies;
-  return best;
+  if (runs.empty()) throw PreconditionError("no yaw was given to try");
+  std::stable_sort(runs.begin(), runs.end(), [](const Alternation& a, const Alternation& b) {
+    return a.fit.energy.total() < b.fit.energy.total();
+  });
+  std::array<double, 4> energies;
+  energies.fill(std::numeric_limits<double>::infinity());
+  const Alternation* best = nullptr;
+  for (Alternation& run : runs) {
+    const auto could_win = [&] {
+      return !best || run.fit.energy.total() * (1 - more_gains * run.gain) < best->fit.energy.total();
+    };
+    while (!run.ended && could_win()) {
+      if (control.cancelled()) return std::nullopt;
+      advance(run);
+    }
+    energies[static_cast<std::size_t>(run.fit.yaw_quarters)] = run.fit.energy.total();
+    if (!best || run.fit.energy.total() < best->fit.energy.total()) best = &run;
+  }
+  if (control.cancelled()) return std::nullopt;
+  if (recording) *recording = std::move(recordings[static_cast<std::size_t>(best->fit.yaw_quarters)]);
+  ShapeFit fit = best->fit;
+  fit.yaw_energies = energies;
+  return fit;
 }
 
 std::optional<ShapeFit> refit_template(const PartTemplate& part_template, const ShapeSamples& samples,
@@ -161,12 +205,14 @@ std::optional<ShapeFit> refit_template(const PartTemplate& part_template, const 
   const bool usable = labels.size() == samples.size() &&
                       std::all_of(labels.begin(), labels.end(), [parts](auto l) { return l < parts; });
   if (!usable) labels.clear();
-  auto fit = fitter.alternate(start.yaw_quarters, start.translation, std::move(labels), control, nullptr);
-  if (fit) {
-    fit->yaw_energies.fill(std::numeric_limits<double>::infinity());
-    fit->yaw_energies[static_cast<std::size_t>(start.yaw_quarters)] = fit->energy.total();
+  Alternation run = fitter.start(start.yaw_quarters, start.translation, std::move(labels));
+  while (!run.ended) {
+    if (control.cancelled()) return std::nullopt;
+    fitter.advance(run);
   }
-  return fit;
+  run.fit.yaw_energies.fill(std::numeric_limits<double>::infinity());
+  run.fit.yaw_energies[static_cast<std::size_t>(start.yaw_quarters)] = run.fit.energy.total();
+  return run.fit;
 }
 
 }  // namespace archetype

@@ -202,17 +202,16 @@ void write_file(const fs::path& path, const std::string& text) {
 // Makes the folder ready, or finds it ready for the same collection.
 void prepare_folder(const fs::path& folder, const std::string& description) {
   std::error_code failure;
-  for (const char* sub : {"shapes", "labels", "landmarks"}) {
-    const bool fresh = sub == std::string_view("shapes");
-    if (fresh && fs::exists(folder, failure) && !fs::is_empty(folder, failure) && !failure) {
-      std::ifstream file(folder / "generator.json", std::ios::binary);
-      const std::string there((std::istreambuf_iterator<char>(file)), {});
-      if (there != description) {
-        throw FileError(folder,
-                        "is not empty and holds no collection of this family and these options; "
-                        "name a new folder, or remove this one");
-      }
+  if (fs::exists(folder, failure) && !fs::is_empty(folder, failure) && !failure) {
+    std::ifstream file(folder / "generator.json", std::ios::binary);
+    const std::string there((std::istreambuf_iterator<char>(file)), {});
+    if (there != description) {
+      throw FileError(folder,
+                      "is not empty and holds no collection of this family and these options; "
+                      "name a new folder, or remove this one");
     }
+  }
+  for (const char* sub : {"shapes", "labels", "landmarks"}) {
     fs::create_directories(folder / sub, failure);
     if (failure) throw FileError(folder / sub, "cannot be created: " + failure.message());
   }

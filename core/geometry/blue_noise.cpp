@@ -34,17 +34,21 @@ std::vector<std::uint32_t> eliminate_samples(std::span<const Vec3> points, std::
       std::uint32_t index;
       double weight;
     };
-    std::vector<std::vector<Crowding>> neighbours(n);
+    std::vector<Crowding> crowding;  // of all points one after the other, about 15 each
+    crowding.reserve(16 * n);
+    std::vector<std::size_t> begins{0};
     std::vector<double> weights(n, 0.0);
     std::vector<KdTree::Neighbour> found;
     for (std::size_t i = 0; i < n; ++i) {
-      tree.nearest(points[i], max_neighbours, found);
+      tree.within(points[i], reach, found);
+      if (found.size() > max_neighbours) tree.nearest(points[i], max_neighbours, found);
       for (const auto& f : found) {
-        if (f.index == i || f.squared_distance >= reach * reach) continue;
+        if (f.index == i) continue;
         const double w = weight(f.squared_distance, reach);
-        neighbours[i].push_back({f.index, w});
+        crowding.push_back({f.index, w});
         weights[i] += w;
       }
+      begins.push_back(crowding.size());
     }
     // Most crowded first; ties go to the higher index, so that the order is the same everywhere.
     using Entry = std::pair<double, std::uint32_t>;
@@ -56,7 +60,7 @@ std::vector<std::uint32_t> eliminate_samples(std::span<const Vec3> points, std::
       if (!alive[i] || w != weights[i]) continue;
       alive[i] = false;
       --left;
-      for (const auto& neighbour : neighbours[i]) {
+      for (const auto& neighbour : std::span(crowding).subspan(begins[i], begins[i + 1] - begins[i])) {
         const std::uint32_t j = neighbour.index;
         if (!alive[j]) continue;
         weights[j] -= neighbour.weight;

@@ -1,4 +1,4 @@
-// Edges sorted by their ends.
+// Edges in buckets of their ends.
 #include "core/geometry/face_adjacency.h"
 
 #include <Eigen/Geometry>
@@ -31,8 +31,9 @@ std::vector<std::uint32_t> weld(const std::vector<Vec3>& vertices) {
   return first;
 }
 
+// Kept with its lower vertex.
 struct Edge {
-  std::uint64_t ends;  // lower vertex in the upper half
+  std::uint32_t higher;
   std::uint32_t face;
   bool forward;  // the face runs from the lower to the higher vertex
 };
@@ -56,20 +57,23 @@ class DisjointSets {
 
 FaceAdjacency find_adjacent_faces(const PolygonMesh& mesh) {
   const std::vector<std::uint32_t> first = weld(mesh.vertices);
-  std::vector<Edge> edges;
-  edges.reserve(mesh.face_corners.size());
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto corners = mesh.face(f);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const std::uint64_t a = first[corners[i]];
-      const std::uint64_t b = first[corners[(i + 1) % corners.size()]];
-      if (a == b) continue;
-      edges.push_back({std::min(a, b) << 32 | std::max(a, b), static_cast<std::uint32_t>(f), a < b});
+  // Edges in buckets of their lower vertex, then in the order of the higher one and of the faces.
+  std::vector<std::uint32_t> begins(mesh.vertices.size() + 1, 0);
+  const auto for_each_edge = [&](const auto& visit) {
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+      const auto corners = mesh.face(f);
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        const std::uint32_t a = first[corners[i]];
+        const std::uint32_t b = first[corners[i + 1 < corners.size() ? i + 1 : 0]];
+        if (a != b) visit(std::min(a, b), Edge{std::max(a, b), f, a < b});
+      }
     }
-  }
-  std::sort(edges.begin(), edges.end(), [](const Edge& x, const Edge& y) {
-    return x.ends != y.ends ? x.ends < y.ends : x.face < y.face;
-  });
+  };
+  for_each_edge([&](std::uint32_t lower, const Edge&) { ++begins[lower + 1]; });
+  for (std::size_t v = 0; v + 1 < begins.size(); ++v) begins[v + 1] += begins[v];
+  std::vector<Edge> edges(begins.back());
+  std::vector<std::uint32_t> at(begins.begin(), begins.end() - 1);
+  for_each_edge([&](std::uint32_t lower, const Edge& edge) { edges[at[lower]++] = edge; });
 
   std::vector<Vec3> normals(mesh.face_count());
   std::vector<Vec3> centres(mesh.face_count());
@@ -86,18 +90,23 @@ FaceAdjacency find_adjacent_faces(const PolygonMesh& mesh) {
   std::vector<Shared> shared;
   DisjointSets components(mesh.face_count());
   std::size_t distinct = 0;
-  for (std::size_t i = 0; i < edges.size();) {
-    std::size_t end = i + 1;
-    while (end < edges.size() && edges[end].ends == edges[i].ends) ++end;
-    ++distinct;
-    if (end - i == 2 && edges[i].face != edges[i + 1].face) {
-      const double length =
-          (mesh.vertices[edges[i].ends >> 32] - mesh.vertices[edges[i].ends & 0xffffffffU]).norm();
-      const bool alike = edges[i].forward != edges[i + 1].forward;
-      shared.push_back({{edges[i].face, edges[i + 1].face, length, 0, false}, alike});
-      if (alike) components.join(edges[i].face, edges[i + 1].face);
+  for (std::uint32_t v = 0; v + 1 < begins.size(); ++v) {
+    const auto bucket = std::span(edges).subspan(begins[v], begins[v + 1] - begins[v]);
+    std::sort(bucket.begin(), bucket.end(), [](const Edge& x, const Edge& y) {
+      return x.higher != y.higher ? x.higher < y.higher : x.face < y.face;
+    });
+    for (std::size_t i = 0; i < bucket.size();) {
+      std::size_t end = i + 1;
+      while (end < bucket.size() && bucket[end].higher == bucket[i].higher) ++end;
+      ++distinct;
+      if (end - i == 2 && bucket[i].face != bucket[i + 1].face) {
+        const double length = (mesh.vertices[v] - mesh.vertices[bucket[i].higher]).norm();
+        const bool alike = bucket[i].forward != bucket[i + 1].forward;
+        shared.push_back({{bucket[i].face, bucket[i + 1].face, length, 0, false}, alike});
+        if (alike) components.join(bucket[i].face, bucket[i + 1].face);
+      }
+      i = end;
     }
-    i = end;
   }
   // The volume's sign tells for each component whether its normals point outward.
   std::vector<double> volume(mesh.face_count(), 0.0);
@@ -105,6 +114,7 @@ FaceAdjacency find_adjacent_faces(const PolygonMesh& mesh) {
     volume[components.find(f)] += normals[f].dot(centres[f] - origin);
   }
   FaceAdjacency result;
+  result.pairs.reserve(shared.size());
   result.shared_share =
       distinct == 0 ? 0 : static_cast<double>(shared.size()) / static_cast<double>(distinct);
   for (auto& [pair, alike] : shared) {
@@ -116,8 +126,6 @@ FaceAdjacency find_adjacent_faces(const PolygonMesh& mesh) {
     pair.convex = alike && outward * a.dot(centres[pair.b] - centres[pair.a]) <= 0;
     result.pairs.push_back(pair);
   }
-  std::sort(result.pairs.begin(), result.pairs.end(),
-            [](const FacePair& x, const FacePair& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
   return result;
 }
 

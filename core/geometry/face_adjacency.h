@@ -17,7 +17,7 @@ struct FacePair {
 };
 
 struct FaceAdjacency {
-  std::vector<FacePair> pairs;  // one for every edge of exactly two faces, ordered by (a, b)
+  std::vector<FacePair> pairs;  // one for every edge of exactly two faces, a < b
   double shared_share =
       0;  // share of the edges (by number) that have exactly two faces; 1 for a closed manifold
 };

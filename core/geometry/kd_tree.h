@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <utility>
@@ -27,8 +28,13 @@ class KdTree {
 
   // The tree must not be empty.
   Neighbour nearest(const Vec3& p) const;
-  // At most k, nearest first.
-  void nearest(const Vec3& p, std::size_t k, std::vector<Neighbour>& result) const;
+  // At most k, nearest first, none farther than `reach`.
+  void nearest(const Vec3& p, std::size_t k, std::vector<Neighbour>& result,
+               double reach = std::numeric_limits<double>::infinity()) const;
+  // The nearest point whose entry of `labels` is `label`; there must be one. `hint` is any point: the search
+  // is short if it has the label and is close, as the answer of a similar question is.
+  std::uint32_t nearest_labelled(const Vec3& p, std::span<const std::int16_t> labels, std::int16_t label,
+                                 std::uint32_t hint) const;
   // All within `radius`, in no stated order.
   void within(const Vec3& p, double radius, std::vector<Neighbour>& result) const;
 

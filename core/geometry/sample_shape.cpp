@@ -18,8 +18,8 @@ namespace archetype {
 
 namespace {
 
-// Candidates per sample before elimination; Yuksel uses 3 to 5.
-constexpr int oversampling = 4;
+// Candidates per sample before elimination; Yuksel uses 3 to 5; 3 costs a third less than 4.
+constexpr int oversampling = 3;
 
 struct Candidates {
   std::vector<Vec3> points;

@@ -33,6 +33,16 @@ class Descriptor {
   int fd_;
 };
 
+// Makes a new file beside `path`, with the permissions that the user's umask gives; says its name. Negative
+// with errno set if it cannot.
+int create_beside(const std::filesystem::path& path, std::string& name) {
+  for (int attempt = 0;; ++attempt) {
+    name = path.string() + "." + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp";
+    const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (fd >= 0 || errno != EEXIST) return fd;
+  }
+}
+
 // Everything that can fail between making the temporary file and its having the final name.
 void write_and_rename(int fd, const std::string& temporary, const std::filesystem::path& path,
                       std::string_view content) {
@@ -46,8 +56,8 @@ void write_and_rename(int fd, const std::string& temporary, const std::filesyste
     content.remove_prefix(static_cast<std::size_t>(written));
   }
   struct stat old {};
-  const mode_t mode = ::stat(path.c_str(), &old) == 0 ? (old.st_mode & 0777U) : 0644U;
-  check(::fchmod(fd, mode) == 0, "chmod");  // mkstemp makes files that only the owner can read
+  // Keeps a file's permissions; that some file systems have none is no reason to fail.
+  if (::stat(path.c_str(), &old) == 0 && ::fchmod(fd, old.st_mode & 0777U) != 0) errno = 0;
   check(::fsync(fd) == 0, "fsync");
   check(::rename(temporary.c_str(), path.c_str()) == 0, "rename");
 }
@@ -80,8 +90,8 @@ std::string read_file(const std::filesystem::path& path, std::uint64_t max_bytes
 }
 
 void replace_file(const std::filesystem::path& path, std::string_view content) {
-  std::string temporary = path.string() + ".XXXXXX";
-  const Descriptor file(::mkstemp(temporary.data()));
+  std::string temporary;
+  const Descriptor file(create_beside(path, temporary));
   if (file.get() < 0) throw FileError(path, "cannot be written (" + reason(errno) + ")");
   try {
     write_and_rename(file.get(), temporary, path, content);

@@ -11,7 +11,8 @@ namespace archetype {
 std::vector<std::pair<std::string, double>> named_options(const FitOptions& options) {
   // Taken apart by position, so that an option which is added there and forgotten here does not compile.
   const auto& [distance_unit, alpha, beta, gamma, null_cost, feature_clip, existence_weight, graph_neighbours,
-               face_smoothness, template_points, yaws, max_alternations, expansion] = options;
+               face_smoothness, face_core, face_neighbours, template_points, yaws, max_alternations,
+               expansion] = options;
   const auto& [prune] = expansion;
   return {{"distance_unit", distance_unit},
           {"alpha", alpha},
@@ -22,6 +23,8 @@ std::vector<std::pair<std::string, double>> named_options(const FitOptions& opti
           {"existence_weight", existence_weight},
           {"graph_neighbours", graph_neighbours},
           {"face_smoothness", face_smoothness},
+          {"face_core", face_core},
+          {"face_neighbours", face_neighbours},
           {"template_points", template_points},
           {"yaw_0", yaws[0]},
           {"yaw_90", yaws[1]},

@@ -8,6 +8,7 @@
 #include "core/io/read_shape.h"
 #include "core/session/ordered_pipeline.h"
 #include "core/session/scan_shapes.h"
+#include "core/session/stand_upright.h"
 
 namespace archetype {
 
@@ -190,7 +191,13 @@ class Import {
 
 ImportReport import_shapes(Project& project, const std::vector<fs::path>& paths, const ImportOptions& options,
                            const JobControl& control) {
-  return Import(project, options, control).run(paths);
+  ImportReport report = Import(project, options, control).run(paths);
+  // An earlier call may have been stopped before it came to this.
+  if (!options.up && !report.cancelled) {
+    stand_upright(project, options.threads, control);
+    report.cancelled = control.cancelled();
+  }
+  return report;
 }
 
 }  // namespace archetype

@@ -1,0 +1,179 @@
+// Joint choice of up axes.
+#include "core/geometry/upright.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/geometry/kd_tree.h"
+
+namespace archetype {
+
+namespace {
+
+constexpr std::size_t reference_count = 200;
+constexpr std::size_t most_alike = 5;   // shapes that each shape is compared with
+constexpr double oddness_weight = 0.5;  // beside profile distances, which are 0 to 2
+constexpr std::array<double, up_axis_count> preference{0, 0.03, 0.06, 0.06, 0.06, 0.06};  // against each axis
+
+// Mean distance of the samples, mirrored at the plane through the centroid across each axis, to the nearest
+// ones.
+std::array<double, 3> asymmetry(const std::vector<Vec3>& points) {
+  const KdTree tree(points);
+  std::array<double, 3> result{};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (Vec3 p : points) {
+      p[axis] = -p[axis];
+      result[static_cast<std::size_t>(axis)] += std::sqrt(tree.nearest(p).squared_distance);
+    }
+    result[static_cast<std::size_t>(axis)] /= static_cast<double>(points.size());
+  }
+  return result;
+}
+
+// How far the centroid (the origin) lies outside the bounds of what touches the ground, in units of their
+// size; 0 inside.
+double instability(const std::vector<Vec3>& upright) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Vec3& p : upright) {
+    low = std::min(low, p.y());
+    high = std::max(high, p.y());
+  }
+  constexpr double contact_share = 0.05;
+  Bounds contact;
+  for (const Vec3& p : upright) {
+    if (p.y() <= low + contact_share * (high - low)) contact.add(p);
+  }
+  const Vec3 outside = (contact.centre().cwiseAbs() - contact.half_extent()).cwiseMax(0.0);
+  return std::min(std::max(outside.x(), outside.z()), 1.0);
+}
+
+UprightLook::Profile profile_of(const std::vector<Vec3>& upright) {
+  constexpr std::size_t quantiles = UprightLook::quantiles;
+  std::vector<std::pair<double, double>> points;  // height, distance from the axis
+  std::vector<double> radii;
+  for (const Vec3& p : upright) {
+    radii.push_back(std::hypot(p.x(), p.z()));
+    points.emplace_back(p.y(), radii.back());
+  }
+  std::sort(points.begin(), points.end());
+  std::sort(radii.begin(), radii.end());
+  UprightLook::Profile profile{};
+  for (std::size_t q = 0; q < quantiles; ++q) {
+    const std::size_t middle = (2 * q + 1) * points.size() / (2 * quantiles);
+    profile[q] = static_cast<float>(points[middle].first);
+    profile[quantiles + q] = static_cast<float>(radii[middle]);
+    const std::size_t begin = q * points.size() / quantiles;
+    const std::size_t end = std::max((q + 1) * points.size() / quantiles, begin + 1);
+    double sum = 0;
+    for (std::size_t i = begin; i < end; ++i) sum += points[i].second;
+    profile[2 * quantiles + q] = static_cast<float>(sum / static_cast<double>(end - begin));
+  }
+  return profile;
+}
+
+// Mean difference, in normalised shape units.
+double distance(const UprightLook::Profile& a, const UprightLook::Profile& b) {
+  float sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
+  return sum / static_cast<float>(a.size());
+}
+
+// What shape i costs with axis `up`, given the axes of the reference shapes.
+double cost(std::span<const UprightLook> looks, std::size_t i, std::size_t up,
+            std::span<const std::size_t> reference, std::span<const std::size_t> ups) {
+  std::array<double, most_alike> nearest;
+  nearest.fill(2.0);
+  std::size_t others = 0;
+  for (std::size_t r = 0; r < reference.size(); ++r) {
+    if (reference[r] == i) continue;
+    ++others;
+    const double d = distance(looks[i].profiles[up], looks[reference[r]].profiles[ups[r]]);
+    const auto worst = std::max_element(nearest.begin(), nearest.end());
+    if (d < *worst) *worst = d;
+  }
+  const std::size_t count = std::min(others, most_alike);
+  std::sort(nearest.begin(), nearest.end());
+  double sum = 0;
+  for (std::size_t n = 0; n < count; ++n) sum += nearest[n];
+  return (count > 0 ? sum / static_cast<double>(count) : 0) + oddness_weight * looks[i].oddness[up] +
+         preference[up];
+}
+
+struct Choice {
+  std::size_t up = 0;
+  double cost = std::numeric_limits<double>::infinity();
+};
+
+Choice best_axis(std::span<const UprightLook> looks, std::size_t i, std::span<const std::size_t> reference,
+                 std::span<const std::size_t> ups) {
+  Choice best;
+  for (std::size_t up = 0; up < up_axis_count; ++up) {
+    const double c = cost(looks, i, up, reference, ups);
+    if (c < best.cost) best = {up, c};
+  }
+  return best;
+}
+
+}  // namespace
+
+UprightLook look_upright(const ShapeSamples& samples) {
+  std::vector<Vec3> file_axes;
+  file_axes.reserve(samples.size());
+  for (const Vec3& p : samples.points) file_axes.emplace_back(samples.frame.rotation.transpose() * p);
+  const auto uneven = asymmetry(file_axes);
+  UprightLook look;
+  std::vector<Vec3> upright(samples.size());
+  for (std::size_t up = 0; up < up_axis_count; ++up) {
+    const Mat3 rotation = upright_rotation(static_cast<UpAxis>(up));
+    for (std::size_t i = 0; i < upright.size(); ++i) upright[i] = rotation * file_axes[i];
+    look.profiles[up] = profile_of(upright);
+    // The vertical planes are those across the two axes that do not point up.
+    Eigen::Index vertical = 0;
+    rotation.row(1).cwiseAbs().maxCoeff(&vertical);
+    double symmetric = std::numeric_limits<double>::infinity();
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      if (axis != vertical) symmetric = std::min(symmetric, uneven[static_cast<std::size_t>(axis)]);
+    }
+    look.oddness[up] = symmetric + 0.5 * instability(upright);
+  }
+  return look;
+}
+
+std::vector<UpAxis> decide_upright(std::span<const UprightLook> looks, const JobControl& control) {
+  std::vector<std::size_t> reference;
+  const std::size_t count = std::min(looks.size(), reference_count);
+  for (std::size_t r = 0; r < count; ++r) reference.push_back(r * looks.size() / count);
+  std::vector<std::size_t> best_ups;
+  double best_cost = std::numeric_limits<double>::infinity();
+  for (std::size_t start = 0; start < up_axis_count; ++start) {
+    std::vector<std::size_t> ups(count, start);
+    constexpr int max_sweeps = 20;
+    double sum = 0;
+    bool changed = true;
+    for (int sweep = 0; sweep < max_sweeps && changed; ++sweep) {
+      changed = false;
+      sum = 0;
+      for (std::size_t r = 0; r < count; ++r) {
+        if (control.cancelled()) return {};
+        const Choice choice = best_axis(looks, reference[r], reference, ups);
+        changed |= choice.up != ups[r];
+        ups[r] = choice.up;
+        sum += choice.cost;
+      }
+    }
+    if (sum < best_cost) {
+      best_cost = sum;
+      best_ups = ups;
+    }
+  }
+  std::vector<UpAxis> result;
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    if (control.cancelled()) return {};
+    result.push_back(static_cast<UpAxis>(best_axis(looks, i, reference, best_ups).up));
+  }
+  return result;
+}
+
+}  // namespace archetype

@@ -1,0 +1,143 @@
+#include "core/fitting/fit_template.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "tests/support/made_shapes.h"
+#include "tests/support/plain_fit.h"
+
+using namespace archetype;
+
+namespace {
+
+GenerateOptions plain_chairs() {
+  GenerateOptions options;
+  options.styles = {family_names("chairs").styles.front()};
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("the energy never rises from one alternation to the next") {
+  for (const std::string& family : families()) {
+    const PartTemplate part_template = test::template_from(test::make_shape(family, {}, 0, 500));
+    for (std::size_t i = 1; i < 6; ++i) {
+      const test::MadeShape shape = test::make_shape(family, {}, i, 500);
+      FitRecording recording;
+      const auto fit = fit_template(part_template, shape.samples, {}, {}, &recording);
+      REQUIRE(fit);
+      REQUIRE(recording.steps.size() == static_cast<std::size_t>(fit->alternations) + 1);
+      for (std::size_t s = 2; s < recording.steps.size(); ++s) {
+        CHECK(recording.steps[s].energy.total() <= recording.steps[s - 1].energy.total());
+      }
+      CHECK(recording.steps.back().energy == fit->energy);
+    }
+  }
+}
+
+TEST_CASE("the plain alternation with Boost's cuts ends at the same energy") {
+  const PartTemplate part_template = test::template_from(test::make_shape("chairs", plain_chairs(), 0, 400));
+  for (std::size_t i = 0; i < 4; ++i) {
+    const test::MadeShape shape = test::make_shape("chairs", plain_chairs(), i, 400);
+    const auto fit = fit_template(part_template, shape.samples, {});
+    const ShapeFit plain = test::plain_fit(part_template, shape.samples, {});
+    CHECK(fit->energy.total() == doctest::Approx(plain.energy.total()).epsilon(0.001));
+    CHECK(fit->yaw_quarters == plain.yaw_quarters);
+  }
+}
+
+TEST_CASE("a shape that stands turned by quarters is found so, and labelled alike") {
+  const test::MadeShape shape = test::make_shape("chairs", plain_chairs(), 0);
+  const PartTemplate part_template = test::template_from(shape);
+  const auto upright = fit_template(part_template, shape.samples, {});
+  CHECK(upright->yaw_quarters == 0);
+  for (int yaw = 1; yaw < 4; ++yaw) {
+    ShapeSamples turned = shape.samples;
+    for (Vec3& p : turned.points) p = turn_quarters(p, yaw);
+    for (Vec3& n : turned.normals) n = turn_quarters(n, yaw);
+    if ((yaw & 1) != 0) std::swap(turned.features_x, turned.features_z);
+    const auto fit = fit_template(part_template, turned, {});
+    CHECK(fit->yaw_quarters == yaw);
+    CHECK(fit->labels == upright->labels);
+    CHECK(fit->energy.total() == doctest::Approx(upright->energy.total()).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("boxes follow parts that moved and grew") {
+  const test::MadeShape shape = test::make_shape("tables", {}, 0);
+  const PartTemplate truth = test::template_from(shape);
+  PartTemplate moved = truth;
+  for (TemplatePart& part : moved.parts) {
+    part.position.mean += Vec3(0.05, -0.04, 0.03);
+    part.scale.mean *= 1.15;
+  }
+  const auto fit = fit_template(moved, shape.samples, {});
+  double before = 0;
+  double after = 0;
+  for (std::size_t k = 0; k < truth.parts.size(); ++k) {
+    REQUIRE(fit->parts[k].present);
+    const Box want = truth.parts[k].mean_box();
+    const Box start = moved.parts[k].mean_box();
+    const Box got = fit->parts[k].box;
+    before += (start.centre - want.centre).norm() + (start.half_extent - want.half_extent).norm();
+    after +=
+        (got.centre + fit->translation - want.centre).norm() + (got.half_extent - want.half_extent).norm();
+  }
+  CHECK(after < 0.85 * before);  // all the way back would mean that the prior counts for nothing
+}
+
+TEST_CASE("a part that must exist is missed dearly, one that need not costs little") {
+  const test::MadeShape shape = test::make_shape("tables", {}, 1);
+  PartTemplate part_template = test::template_from(shape);
+  TemplatePart extra;
+  extra.position.mean = Vec3(0, 30, 0);  // nothing of the shape is there
+  extra.position.stddev = Vec3::Constant(0.05);
+  extra.existence = 0.5;
+  part_template.parts.push_back(extra);
+  const auto optional = fit_template(part_template, shape.samples, {});
+  CHECK_FALSE(optional->parts.back().present);
+  CHECK(optional->energy.total() < 2);
+  part_template.parts.back().must_exist = true;
+  const auto required = fit_template(part_template, shape.samples, {});
+  CHECK(required->energy.total() > 900);
+}
+
+TEST_CASE("live refits start from the fit that is there") {
+  const test::MadeShape shape = test::make_shape("chairs", {}, 2);
+  const PartTemplate part_template = test::template_from(shape);
+  const auto fit = fit_template(part_template, shape.samples, {});
+  const auto again = refit_template(part_template, shape.samples, *fit, {});
+  CHECK(again->yaw_quarters == fit->yaw_quarters);
+  CHECK(again->energy.total() <= fit->energy.total() * 1.02);
+  PartTemplate fewer = part_template;
+  fewer.parts.pop_back();  // labels of the old fit name a part that is gone
+  CHECK(refit_template(fewer, shape.samples, *fit, {})->parts.size() == fewer.parts.size());
+}
+
+TEST_CASE("fits are the same bytes on every thread") {
+  const test::MadeShape shape = test::make_shape("planes", {}, 0, 500);
+  const PartTemplate part_template = test::template_from(test::make_shape("planes", {}, 1, 500));
+  std::vector<ShapeFit> fits(6);
+  for (const unsigned threads : {1U, 2U, 8U}) {
+    parallel_for(fits.size(), threads, {}, "fitting",
+                 [&](std::size_t i) { fits[i] = *fit_template(part_template, shape.samples, {}); });
+    for (const ShapeFit& fit : fits) {
+      CHECK(fit.labels == fits[0].labels);
+      CHECK(fit.energy == fits[0].energy);
+      CHECK(fit.translation == fits[0].translation);
+    }
+  }
+}
+
+TEST_CASE("cancelled and impossible fits") {
+  const test::MadeShape shape = test::make_shape("tables", {}, 0, 200);
+  const PartTemplate part_template = test::template_from(shape);
+  std::stop_source source;
+  source.request_stop();
+  CHECK_FALSE(fit_template(part_template, shape.samples, {}, {source.get_token(), {}}));
+  CHECK_THROWS_AS(fit_template({}, shape.samples, {}), PreconditionError);
+  CHECK_THROWS_AS(fit_template(part_template, {}, {}), PreconditionError);
+}

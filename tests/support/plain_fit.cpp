@@ -1,0 +1,168 @@
+// Written for plainness; shares the energy and the small solves with the code that it checks, not the
+// searches.
+#include "tests/support/plain_fit.h"
+
+#include <algorithm>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
+#include <limits>
+
+#include "core/fitting/deformation.h"
+#include "core/fitting/energy.h"
+#include "core/fitting/label_costs.h"
+#include "core/fitting/point_graph.h"
+#include "core/fitting/template_surface.h"
+
+namespace archetype::test {
+
+namespace {
+
+using Traits = boost::adjacency_list_traits<boost::vecS, boost::vecS, boost::directedS>;
+using Graph = boost::adjacency_list<
+    boost::vecS, boost::vecS, boost::directedS,
+    boost::property<boost::vertex_index_t, std::size_t,
+                    boost::property<boost::vertex_color_t, boost::default_color_type,
+                                    boost::property<boost::vertex_distance_t, std::int64_t,
+                                                    boost::property<boost::vertex_predecessor_t,
+                                                                    Traits::edge_descriptor>>>>,
+    boost::property<boost::edge_capacity_t, std::int64_t,
+                    boost::property<boost::edge_residual_capacity_t, std::int64_t,
+                                    boost::property<boost::edge_reverse_t, Traits::edge_descriptor>>>>;
+
+void connect(Graph& graph, std::size_t a, std::size_t b, std::int64_t forward, std::int64_t backward) {
+  const auto there = boost::add_edge(a, b, graph).first;
+  const auto back = boost::add_edge(b, a, graph).first;
+  boost::put(boost::edge_capacity, graph, there, forward);
+  boost::put(boost::edge_capacity, graph, back, backward);
+  boost::put(boost::edge_reverse, graph, there, back);
+  boost::put(boost::edge_reverse, graph, back, there);
+}
+
+bool plain_move(const LabellingGraph& graph, const LabelCosts& unary, std::size_t label_count,
+                std::span<std::int16_t> labels, std::int16_t alpha) {
+  const std::size_t n = graph.node_count();
+  const std::size_t source = n;
+  const std::size_t sink = n + 1;
+  Graph flow(n + 2);
+  const std::int64_t before = labelling_energy(graph, unary, label_count, labels);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto cost = [&](std::int16_t label) {
+      return static_cast<std::int64_t>(unary[i * label_count + static_cast<std::size_t>(label)]);
+    };
+    std::int64_t keep = labels[i] == alpha ? std::numeric_limits<std::int32_t>::max() : cost(labels[i]);
+    for (const auto& neighbour : graph.of(i)) {
+      if (neighbour.node < i) continue;
+      if (labels[neighbour.node] == labels[i]) {
+        connect(flow, i, neighbour.node, neighbour.weight, neighbour.weight);
+      } else {
+        keep += neighbour.weight;
+        connect(flow, i, neighbour.node, 0, neighbour.weight);
+      }
+    }
+    connect(flow, source, i, cost(alpha), 0);
+    connect(flow, i, sink, keep, 0);
+  }
+  boost::boykov_kolmogorov_max_flow(flow, source, sink);
+  std::vector<std::int16_t> moved(labels.begin(), labels.end());
+  const auto colours = boost::get(boost::vertex_color, flow);
+  const auto source_colour = colours[source];
+  for (std::size_t i = 0; i < n; ++i) {
+    if (colours[i] != source_colour) moved[i] = alpha;
+  }
+  if (labelling_energy(graph, unary, label_count, moved) >= before) return false;
+  std::copy(moved.begin(), moved.end(), labels.begin());
+  return true;
+}
+
+void plain_match(std::span<const Vec3> points, std::span<const std::int16_t> labels,
+                 std::span<const Box> boxes, const TemplateSurface& surface, Correspondences& result) {
+  result.on_template.resize(points.size());
+  result.on_shape.assign(surface.local.size(), Correspondences::none);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (labels[i] != null_label) {
+      result.on_template[i] = closest_on_surface(boxes[static_cast<std::size_t>(labels[i])], points[i]);
+    }
+  }
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    for (auto t = surface.begins[k]; t < surface.begins[k + 1]; ++t) {
+      const Vec3 p = boxes[k].to_world(surface.local[t]);
+      double best = std::numeric_limits<double>::infinity();
+      for (std::uint32_t i = 0; i < points.size(); ++i) {
+        if (labels[i] != static_cast<std::int16_t>(k)) continue;
+        const double distance = (points[i] - p).squaredNorm();
+        if (distance < best) {
+          best = distance;
+          result.on_shape[t] = i;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::int64_t plain_expand_labels(const LabellingGraph& graph, const LabelCosts& unary,
+                                 std::size_t label_count, std::span<std::int16_t> labels) {
+  for (bool moved = true; moved;) {
+    moved = false;
+    for (std::size_t k = 0; k < label_count; ++k) {
+      moved |= plain_move(graph, unary, label_count, labels, static_cast<std::int16_t>(k));
+    }
+  }
+  return labelling_energy(graph, unary, label_count, labels);
+}
+
+ShapeFit plain_fit(const PartTemplate& given, const ShapeSamples& samples, const FitOptions& options) {
+  const PartTemplate part_template = with_expected_features(given);
+  const TemplateSurface surface = sample_template(part_template, options.template_points);
+  const LabellingGraph graph = make_point_graph(samples, options);
+  const double unit = options.distance_unit * samples.radius;
+  const std::size_t count = part_template.parts.size() + 1;
+  ShapeFit best;
+  best.energy.existence = std::numeric_limits<double>::infinity();
+  for (int yaw = 0; yaw < 4; ++yaw) {
+    const auto features =
+        feature_costs(part_template, (yaw & 1) != 0 ? samples.features_z : samples.features_x, options);
+    std::vector<Box> boxes;
+    for (const TemplatePart& part : part_template.parts) boxes.push_back(part.mean_box());
+    ShapeFit fit;
+    fit.yaw_quarters = yaw;
+    fit.energy.existence = std::numeric_limits<double>::infinity();
+    Vec3 translation = Vec3::Zero();
+    for (int step = 0; step < options.max_alternations; ++step) {
+      std::vector<Vec3> points;
+      for (const Vec3& p : samples.points) points.push_back(turn_quarters(p, -yaw) - translation);
+      LabelCosts costs;
+      label_costs(points, boxes, features, unit, options, costs);
+      std::vector<std::int16_t> labels;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto row = costs.begin() + static_cast<std::ptrdiff_t>(i * count);
+        labels.push_back(
+            static_cast<std::int16_t>(std::min_element(row, row + static_cast<std::ptrdiff_t>(count)) - row));
+      }
+      plain_expand_labels(graph, costs, count, labels);
+      std::replace(labels.begin(), labels.end(), static_cast<std::int16_t>(count - 1), null_label);
+      Correspondences matches;
+      plain_match(points, labels, boxes, surface, matches);
+      const MatchedShape shape{points, labels, &surface, &matches, unit};
+      const FitEnergy energy = fit_energy(shape, part_template, boxes, features, graph, options);
+      if (energy.total() >= fit.energy.total()) break;
+      const bool same = labels == fit.labels;
+      fit.energy = energy;
+      fit.labels = labels;
+      fit.translation = translation;
+      fit.alternations = step + 1;
+      fit.parts.clear();
+      for (const Box& box : boxes) fit.parts.push_back({true, box});
+      if (same) break;
+      const Vec3 move = rigid_step(shape, boxes);
+      translation -= move;
+      for (Vec3& p : points) p += move;
+      deformation_step(shape, part_template, options, boxes);
+    }
+    if (fit.energy.total() < best.energy.total()) best = fit;
+  }
+  return best;
+}
+
+}  // namespace archetype::test
