@@ -24,6 +24,7 @@ std::string read_bytes(const fs::path& path) {
 
 pid_t start(std::vector<std::string> command, const fs::path& out, const fs::path& err) {
   std::vector<char*> argv;
+  argv.reserve(command.size() + 1);
   for (std::string& word : command) argv.push_back(word.data());
   argv.push_back(nullptr);
   const pid_t child = fork();
