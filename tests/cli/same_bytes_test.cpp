@@ -93,7 +93,7 @@ TEST_CASE("threads and the order of arguments do not matter") {
   std::vector<std::string> files = work.shape_files();
   for (const char* threads : {"1", "2", "8"}) {
     const std::string project = std::string("p") + threads;
-    std::ranges::rotate(files, files.begin() + 5);
+    std::rotate(files.begin(), files.begin() + 5, files.end());
     std::swap(files[0], files[3]);
     std::vector<std::string> import{"import", work.path(project), "--points", "60", "--threads", threads};
     import.insert(import.end(), files.begin(), files.end());
