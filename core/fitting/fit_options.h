@@ -13,16 +13,16 @@ struct FitOptions {
   // Distances count in this unit, a share of R, so that 1 is a bad distance as 1 is a bad feature.
   // Differs from the paper: it divides by R itself; terms of its sizes would be lost beside the others.
   double distance_unit = 0.1;
-  double alpha = 0.005;       // weight of the deformation, summed over parts and axes
-  double beta = 0.1;          // weight of smoothness
-  double gamma = 1.0;         // weight of features
-  double null_cost = 1.0;     // distance and feature cost of a point without a part
+  double alpha = 0.01;        // weight of the deformation, summed over parts and axes
+  double beta = 0.15;         // weight of smoothness
+  double gamma = 0.5;         // weight of features
+  double null_cost = 2.0;     // distance and feature cost of a point without a part
   double feature_clip = 9.0;  // squared deviation (in variances, mean over the features) that counts as 1
   double existence_weight = 0.05;  // weight of -log(existence) per part
   int graph_neighbours = 8;        // of each sample in the labelling graph
-  double face_smoothness = 0.03;   // weight of boundary lengths when faces are labelled, in roots of the area
+  double face_smoothness = 0.015;  // weight of boundary lengths when faces are labelled, in roots of the area
   double face_core = 0.5;     // samples deeper in their part than this share of its depth keep their faces
-  int face_neighbours = 40;   // other faces may take the labels of that many samples around them
+  int face_neighbours = 20;   // other faces may take the labels of that many samples around them
   int template_points = 600;  // samples of the template's boxes for E_t->s
 
   std::array<bool, 4> yaws{true, true, true, true};  // candidate quarter turns about up to try
