@@ -23,6 +23,7 @@ struct Arguments {
 std::vector<PartTemplate> chosen_templates(const std::vector<std::filesystem::path>& files,
                                            const Project& project) {
   std::vector<PartTemplate> templates;
+  templates.reserve(files.size());
   for (const std::filesystem::path& file : files) templates.push_back(read_template(file));
   if (files.empty()) {
     for (TemplateRecord& record : project.templates()) templates.push_back(std::move(record.part_template));

@@ -44,10 +44,12 @@ void Progress::report(std::size_t done, std::size_t total, std::string_view what
   if (what != what_) {
     what_ = what;
     begun_ = now;
-    next_ = now;
+    next_ = now + (terminal_ ? 0s : 2s);  // a log needs no line about what takes no time
+    written_ = false;
   }
-  if (now < next_ && done != total) return;
+  if (now < next_ && !(written_ && done == total)) return;
   next_ = now + (terminal_ ? Clock::duration(100ms) : Clock::duration(5s));
+  written_ = true;
   std::string line = what_ + " " + std::to_string(done) + " of " + std::to_string(total);
   const double seconds = std::chrono::duration<double>(now - begun_).count();
   if (const auto left = estimate_seconds_left(seconds, done, total); left && done != total) {

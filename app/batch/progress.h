@@ -9,8 +9,8 @@
 
 namespace archetype {
 
-// One line that is written over and over when standard error is a terminal; otherwise a line now and then.
-// Cleared when it goes out of scope.
+// One line that is written over and over when standard error is a terminal; otherwise a line now and then, if
+// it takes that long. Cleared when it goes out of scope.
 class Progress {
  public:
   Progress();
@@ -30,6 +30,7 @@ class Progress {
   std::string what_;
   Clock::time_point begun_;  // of `what_`
   Clock::time_point next_;   // when to write again
+  bool written_ = false;     // anything about `what`
 };
 
 }  // namespace archetype

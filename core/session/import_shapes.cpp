@@ -72,6 +72,7 @@ class Import {
                                            .compute = [this](std::size_t i) { read(i); },
                                            .finish = [this](std::size_t i) { take(i); }});
     commit();
+    if (inputs_.empty() && control_.cancelled()) report_.cancelled = true;  // while it searched
     std::ranges::sort(report_.refused, {}, &RefusedInput::path);
     return std::move(report_);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/generate/generate.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/small_collection.h"
 
@@ -173,5 +174,46 @@ TEST_CASE("a cancelled import keeps what is done and goes on from there to the s
   for (const ShapeRecord& shape : whole.shapes()) {
     const ShapeId id = project.find_shape(shape.name)->id;
     CHECK(project.samples(id).points == whole.samples(shape.id).points);
+  }
+}
+
+TEST_CASE("auto finds the up axes of a collection, also if it is stopped on the way") {
+  const ScratchFolder folder;
+  GenerateOptions generate;
+  generate.count = 30;
+  generate.ups = {UpAxis::y, UpAxis::z, UpAxis::minus_x};
+  write_collection("chairs", generate, folder.path(), {});
+  const std::vector<fs::path> paths{folder.path() / "shapes"};
+  ImportOptions options = few_points();
+  options.points = 300;
+  options.up = std::nullopt;
+
+  Project whole = Project::in_memory();
+  import_shapes(whole, paths, options, {});
+  const std::vector<ShapeRecord> shapes = whole.shapes();
+  REQUIRE(shapes.size() == 30);
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    CHECK(shapes[i].up_decided);
+    CHECK(shapes[i].frame.rotation == upright_rotation(shapes[i].up));
+    right += shapes[i].up == generate_shape("chairs", generate, i).up ? 1 : 0;
+  }
+  CHECK(right >= 27);
+  CHECK(import_shapes(whole, paths, options, {}).unchanged == 30);
+
+  Project stopped = Project::in_memory();
+  std::stop_source source;
+  JobControl control;
+  control.stop = source.get_token();
+  control.report = [&](std::size_t done, std::size_t, std::string_view) {
+    if (done == 18) source.request_stop();
+  };
+  CHECK(import_shapes(stopped, paths, options, control).cancelled);
+  import_shapes(stopped, paths, options, {});
+  for (const ShapeRecord& shape : shapes) {
+    const ShapeSamples expected = whole.samples(shape.id);
+    const ShapeSamples samples = stopped.samples(stopped.find_shape(shape.name)->id);
+    CHECK(samples.points == expected.points);
+    CHECK(samples.features_x == expected.features_x);
   }
 }

@@ -1,0 +1,182 @@
+// Each command once, its exit codes and what it says.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/io/template_file.h"
+#include "tests/cli/program.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/support/small_collection.h"
+
+using namespace archetype::test;
+
+namespace {
+
+struct Fixture {
+  ScratchFolder folder;
+  std::string project = (folder.path() / "p.archetype").string();
+  std::string shapes = (folder.path() / "shapes").string();
+  std::string labels = (folder.path() / "labels").string();
+  std::string chair = (folder.path() / "chair.json").string();
+
+  explicit Fixture(std::size_t count = 4) {
+    write_chairs(folder.path(), count);
+    archetype::write_template(chair, chair_template());
+  }
+  Finished fit() const {
+    return run_archetype({"fit", project, "--points", "100", "--template", chair, shapes});
+  }
+};
+
+bool is_one_line(const std::string& text) {
+  return std::ranges::count(text, '\n') == 1 && text.back() == '\n';
+}
+
+}  // namespace
+
+TEST_CASE("shapes are imported, fitted, evaluated, exported and described") {
+  const Fixture fixture;
+  Finished run = run_archetype({"import", fixture.project, fixture.shapes, "--points", "100", "--json"});
+  CHECK(run.exit_code == 0);
+  CHECK(nlohmann::json::parse(run.out).at("imported") == 4);
+
+  run = run_archetype({"fit", fixture.project, "--template", fixture.chair});
+  CHECK(run.exit_code == 0);
+  CHECK(run.out == "fitted 4, kept 0, refused 0\n");
+
+  run = run_archetype({"evaluate", fixture.project, "--labels", fixture.labels});
+  CHECK(run.exit_code == 0);
+  CHECK(run.out.find("mean over 4 shapes") != std::string::npos);
+  run = run_archetype({"evaluate", fixture.project, "--labels", fixture.labels, "--json"});
+  const auto report = nlohmann::json::parse(run.out);
+  CHECK(report.at("shapes").size() == 4);
+  CHECK(report.at("shapes")[0].at("own_by_area") <= report.at("shapes")[3].at("own_by_area"));
+  CHECK(report.at("mean").at("own_by_area") > 0.7);
+
+  run = run_archetype({"info", fixture.project, "--json"});
+  CHECK(nlohmann::json::parse(run.out).at("labelled") == 4);
+  run = run_archetype({"info", fixture.project});
+  CHECK(run.out.find("chair") != std::string::npos);
+
+  const auto out = fixture.folder.path() / "out";
+  require_run({"export", fixture.project, "--out", out.string()});
+  const auto files = folder_content(out);
+  CHECK(files.size() == 4 + 4 + 5);
+  CHECK(files.contains("templates/chair.json"));
+  CHECK(files.contains("labels/chair_00000.seg"));
+  CHECK(nlohmann::json::parse(files.at("manifest.json")).at("counts").at("fitted") == 4);
+  const auto only = fixture.folder.path() / "only";
+  require_run({"export", fixture.project, "--only", "fits,boxes", "--out", only.string()});
+  CHECK(folder_content(only).size() == 3);
+}
+
+TEST_CASE("fit makes the project and imports first; without templates it takes the project's") {
+  const Fixture fixture;
+  CHECK(fixture.fit().out == "imported 4, unchanged 0, refused 0\nfitted 4, kept 0, refused 0\n");
+  CHECK(run_archetype({"fit", fixture.project}).out == "fitted 0, kept 4, refused 0\n");
+}
+
+TEST_CASE("wrong usage is exit status 2 and one line") {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {},
+           {"nonsense"},
+           {"import"},
+           {"import", "p.archetype"},
+           {"import", "p.archetype", "x", "--up", "w"},
+           {"import", "p.archetype", "x", "--points", "1"},
+           {"import", "p.archetype", "x", "--threads", "-1"},
+           {"fit"},
+           {"evaluate", "p.archetype"},
+           {"export", "p.archetype"},
+           {"export", "p.archetype", "--out", "x", "--only", "everything"},
+           {"generate", "dragons", "--count", "1", "--out", "x"},
+           {"generate", "chairs", "--count", "0", "--out", "x"},
+           {"help", "nonsense"},
+       }) {
+    const Finished run = run_archetype(arguments);
+    CAPTURE(run.err);
+    CHECK(run.exit_code == 2);
+    CHECK(is_one_line(run.err));
+    CHECK(run.out.empty());
+  }
+}
+
+TEST_CASE("help and version are on standard output") {
+  for (const char* argument : {"help", "--help"}) {
+    const Finished run = run_archetype({argument});
+    CHECK(run.exit_code == 0);
+    for (const char* command : {"import", "fit", "evaluate", "export", "generate", "info"}) {
+      CHECK(run.out.find(command) != std::string::npos);
+    }
+  }
+  CHECK(run_archetype({"help", "import"}).out.find("archetype import [OPTIONS] PROJECT PATH") !=
+        std::string::npos);
+  CHECK(run_archetype({"--version"}).out == "archetype " ARCHETYPE_VERSION "\n");
+}
+
+TEST_CASE("a failure is exit status 1 and one line that names the file and says what to do") {
+  const Fixture fixture(1);
+  const std::string none = (fixture.folder.path() / "none.archetype").string();
+  const std::string text = fixture.folder.write("text.archetype", std::string(4096, 'x')).string();
+  const std::string bad_template = fixture.folder.write("bad.json", "{ \"format\": 1 }").string();
+  fixture.fit();
+  for (const auto& [arguments, named] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"info", none}, none},
+           {{"info", text}, text},
+           {{"import", text, fixture.shapes}, text},
+           {{"import", "/proc/p.archetype", fixture.shapes}, "/proc/p.archetype"},
+           {{"fit", none, "--template", fixture.chair}, none},
+           {{"fit", fixture.project, "--template", bad_template}, bad_template},
+           {{"evaluate", fixture.project, "--labels", fixture.shapes}, fixture.shapes},
+           {{"evaluate", fixture.project, "--labels", none}, none},
+           {{"export", fixture.project, "--out", text}, text},
+       }) {
+    const Finished run = run_archetype(arguments);
+    CAPTURE(run.err);
+    CHECK(run.exit_code == 1);
+    CHECK(is_one_line(run.err));
+    CHECK(run.err.find(named) != std::string::npos);
+  }
+}
+
+TEST_CASE("a project without templates says how to get one") {
+  const Fixture fixture(1);
+  require_run({"import", fixture.project, fixture.shapes, "--points", "100"});
+  const Finished run = run_archetype({"fit", fixture.project});
+  CHECK(run.exit_code == 1);
+  CHECK(run.err.find("--template") != std::string::npos);
+}
+
+TEST_CASE("refused inputs are exit status 3, each with its reason; the rest is done") {
+  const Fixture fixture;
+  const std::string bad = fixture.folder.write("shapes/bad.off", "OFF\n3 1 0\n0 0 0\n").string();
+  const Finished run = fixture.fit();
+  CHECK(run.exit_code == 3);
+  CHECK(run.out == "imported 4, unchanged 0, refused 1\nfitted 4, kept 0, refused 0\n");
+  CHECK(run.err.find("refused: " + bad + ": ") != std::string::npos);
+  CHECK(run_archetype({"info", fixture.project}).out.find(bad) != std::string::npos);
+  CHECK(run_archetype({"import", fixture.project, fixture.shapes, "--points", "100", "--json"}).exit_code ==
+        3);
+}
+
+TEST_CASE("up axes with a minus sign are values, not options") {
+  const Fixture fixture(1);
+  require_run({"import", fixture.project, fixture.shapes, "--points", "100", "--up", "-z"});
+  const auto out = fixture.folder.path() / "g";
+  require_run({"generate", "lamps", "--count", "2", "--out", out.string(), "--up", "-x", "--up", "z"});
+  CHECK(folder_content(out / "shapes").size() == 2);
+}
+
+TEST_CASE("the batch program links nothing of OpenGL or of a window system") {
+  FILE* pipe = popen("ldd " ARCHETYPE_BINARY_DIR "/bin/archetype", "r");
+  REQUIRE(pipe != nullptr);
+  std::string libraries;
+  for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) libraries.push_back(static_cast<char>(c));
+  REQUIRE(pclose(pipe) == 0);
+  CHECK(libraries.find("libsqlite3") != std::string::npos);
+  for (const char* never :
+       {"libGL", "libOpenGL", "libEGL", "libGLX", "libepoxy", "libglfw", "libX11", "libwayland"}) {
+    CHECK(libraries.find(never) == std::string::npos);
+  }
+}
