@@ -66,7 +66,10 @@ TriMesh to_trimesh(const PolygonMesh& mesh, const Triangulation& triangulation,
       corners[k] = TriMesh::VertexHandle(static_cast<int>(welded[triangulation.triangles[t][k]]));
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
     if (!result.add_face(corners[0], corners[1], corners[2]).is_valid()) {
-      for (TriMesh::VertexHandle& corner : corners) corner = result.add_vertex(result.point(corner));
+      for (TriMesh::VertexHandle& corner : corners) {
+        const OpenMesh::Vec3d point = result.point(corner);  // a copy: adding may move all points
+        corner = result.add_vertex(point);
+      }
       result.add_face(corners[0], corners[1], corners[2]);
     }
     sources.push_back(triangulation.faces[t]);

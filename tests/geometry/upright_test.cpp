@@ -39,8 +39,7 @@ double right_share(const Collection& shapes) {
 }  // namespace
 
 TEST_CASE("a collection that stands upright stays so") {
-  for (const std::string& family : families())
-    CHECK(right_share(collection(family, {UpAxis::y}, 30)) >= 0.9);
+  for (const std::string& family : families()) CHECK(right_share(collection(family, {UpAxis::y}, 30)) >= 0.9);
 }
 
 TEST_CASE("single shapes that lie are raised with the others") {
