@@ -3,7 +3,6 @@
 #include <chrono>
 #include <exception>
 
-#include "core/evaluation/label_elements.h"
 #include "core/fitting/fit_template.h"
 
 namespace archetype {
@@ -23,7 +22,16 @@ bool can_go_on(const LiveFitRequest& request) {
 
 }  // namespace
 
-std::optional<LiveFitResult> run_live_fit(const LiveFitRequest& request, const JobControl& control) {
+std::vector<std::int16_t> LiveFitter::label(const LiveFitRequest& request, const ShapeFit& fit) {
+  if (!labeller_ || mesh_ != request.mesh || samples_ != request.samples) {
+    labeller_.emplace(*request.mesh, *request.samples, request.options);
+    mesh_ = request.mesh;
+    samples_ = request.samples;
+  }
+  return labeller_->label(*request.part_template, fit);
+}
+
+std::optional<LiveFitResult> LiveFitter::run(const LiveFitRequest& request, const JobControl& control) {
   LiveFitResult result;
   result.document_revision = request.document_revision;
   result.shape_revision = request.shape_revision;
@@ -39,9 +47,7 @@ std::optional<LiveFitResult> run_live_fit(const LiveFitRequest& request, const J
 
     const Clock::time_point labelling = Clock::now();
     ViewFit view{request.part_template, std::move(*fit), {}};
-    if (request.mesh)
-      view.element_labels =
-          label_elements(*request.mesh, *request.samples, part_template, view.fit, request.options);
+    if (request.mesh) view.element_labels = label(request, view.fit);
     result.label_milliseconds = milliseconds_since(labelling);
     result.fit = std::make_shared<const ViewFit>(std::move(view));
   } catch (const std::exception& error) {

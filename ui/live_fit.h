@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/evaluation/label_elements.h"
 #include "core/fitting/fit_options.h"
 #include "core/geometry/polygon_mesh.h"
 #include "core/session/latest_worker.h"
@@ -33,13 +34,28 @@ struct LiveFitResult {
   double label_milliseconds = 0;
 };
 
-// What the worker runs; nothing when cancelled.
-std::optional<LiveFitResult> run_live_fit(const LiveFitRequest& request, const JobControl& control);
+// What the worker runs. Keeps what labelling the faces of the shape needs from one fit to the next.
+class LiveFitter {
+ public:
+  // Nothing when cancelled.
+  std::optional<LiveFitResult> run(const LiveFitRequest& request, const JobControl& control);
+
+ private:
+  std::vector<std::int16_t> label(const LiveFitRequest& request, const ShapeFit& fit);
+
+  std::shared_ptr<const PolygonMesh> mesh_;  // of the labeller, as are the samples
+  std::shared_ptr<const ShapeSamples> samples_;
+  std::optional<ElementLabeller> labeller_;
+};
 
 using LiveFitWorker = LatestWorker<LiveFitRequest, LiveFitResult>;
 
 struct LiveFit {
-  explicit LiveFit(std::function<void()> wake) : worker(run_live_fit, std::move(wake)) {}
+  explicit LiveFit(std::function<void()> wake)
+      : worker([fitter = std::make_shared<LiveFitter>()](
+                   const LiveFitRequest& request,
+                   const JobControl& control) { return fitter->run(request, control); },
+               std::move(wake)) {}
 
   LiveFitWorker worker;
   std::uint64_t asked_document = 0;  // of the newest request

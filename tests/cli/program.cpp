@@ -47,6 +47,9 @@ Finished run_archetype(const std::vector<std::string>& arguments, std::optional<
   auto sent = Clock::now();
   if (signal) {
     std::this_thread::sleep_for(signal->after);
+    const auto latest = Clock::now() + std::chrono::minutes(1);
+    while (signal->when && !signal->when() && Clock::now() < latest)
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
     sent = Clock::now();
     kill(child, signal->number);  // not yet waited for, so it is still this child, if only a dead one
   }

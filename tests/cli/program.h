@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@ struct Finished {
 struct Signal {
   int number = 0;
   std::chrono::milliseconds after{0};
+  std::function<bool()> when;  // if set, asked from then on and waited for, a minute at most
 };
 
 // `archetype ARGUMENTS…` from the build that the test belongs to; with `signal`, that is sent if it still
