@@ -30,7 +30,7 @@ Vec3 degrees_of_orientation(const Eigen::Quaterniond& orientation) {
     angles.x() = std::atan2(-r(1, 2), r(1, 1));  // only x ∓ z is known; z = 0
     angles.z() = 0;
   }
-  return angles / degree;
+  return angles / degree + Vec3::Zero();  // no -0
 }
 
 }  // namespace archetype

@@ -1,7 +1,6 @@
 // What the program measures of itself.
 #include <imgui.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <vector>
 
@@ -39,7 +38,7 @@ void draw_diagnostics_panel(Studio& studio) {
   line(studio, "Last fit",
        milliseconds(studio.live_fit.fit_milliseconds) + ", labels of the faces " +
            milliseconds(studio.live_fit.label_milliseconds));
-  line(studio, "Frames", milliseconds(1000.0 / std::max(1.0f, ImGui::GetIO().Framerate)) + " each");
+  line(studio, "Frames", milliseconds(studio.frame_milliseconds) + " for the last");
   if (!median) return;
   const std::vector<float> values(studio.latency.milliseconds().begin(), studio.latency.milliseconds().end());
   ImGui::PlotLines("##latency", values.data(), static_cast<int>(values.size()), 0, nullptr, 0, 200,

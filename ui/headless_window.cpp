@@ -2,7 +2,6 @@
 
 #include <imgui_impl_opengl3.h>
 
-#include <glm/vec4.hpp>
 #include <utility>
 
 #include "render/gl/draw.h"
@@ -12,8 +11,7 @@ namespace {
 
 void draw_into(const gl::Framebuffer& target) {
   const gl::DrawInto here(target);
-  gl::clear({0, 0, 0, 1});
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  draw_built_frame();
 }
 
 }  // namespace
@@ -32,6 +30,7 @@ void HeadlessWindow::frame() {
   ImGui_ImplOpenGL3_NewFrame();
   build_frame(studio_);
   draw_into(target_);
+  gl::finish();  // as a screen would show it: the measured latencies end here
   frame_shown(studio_);
 }
 

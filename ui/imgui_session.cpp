@@ -3,7 +3,9 @@
 #include <imgui_impl_opengl3.h>
 
 #include <cmath>
+#include <glm/vec4.hpp>
 
+#include "render/gl/draw.h"
 #include "ui/frame.h"
 #include "ui/shortcuts.h"
 #include "ui/studio.h"
@@ -47,6 +49,12 @@ void build_frame(Studio& studio) {
   draw_frame(studio);
   end_frame(studio);
   ImGui::Render();
+}
+
+void draw_built_frame() {
+  const ImVec4& panel = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
+  gl::clear({panel.x, panel.y, panel.z, 1});
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
 }  // namespace archetype

@@ -22,7 +22,9 @@ class ImGuiSession {
   ImGuiContext* context_;
 };
 
-// A whole frame but for getting it to the screen: between the back ends' new frame and their drawing.
+// A whole frame but for getting it to the screen: to be called after the back ends' new frame.
 void build_frame(Studio& studio);
+// Draws it into the current framebuffer.
+void draw_built_frame();
 
 }  // namespace archetype

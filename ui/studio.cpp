@@ -22,8 +22,13 @@ void take_over_shape(Studio& studio) {
   if (!studio.shape.problem.empty()) say(studio, Severity::warning, studio.shape.problem);
 }
 
+// A fit that comes just after a frame has begun would be seen one frame later: while a box is dragged, a frame
+// rather begins a little later. It also leaves the processor to the fit where OpenGL takes all of it.
+constexpr std::chrono::milliseconds patience{15};
+
 void take_over_fit(Studio& studio) {
   LiveFit& live = studio.live_fit;
+  if (studio.history.has_preview()) live.worker.wait(patience);
   std::optional<LiveFitResult> result = live.worker.poll();
   if (!result || result->shape_revision != studio.shape.shape_revision) return;
   if (!result->problem.empty()) say(studio, Severity::error, result->problem);
@@ -152,8 +157,10 @@ void end_frame(Studio& studio) {
 }
 
 void frame_shown(Studio& studio) {
+  const Clock::time_point now = Clock::now();
+  studio.frame_milliseconds = std::chrono::duration<double, std::milli>(now - studio.frame_start).count();
   if (!std::exchange(studio.live_fit.newly_shown, false)) return;
-  studio.latency.displayed(studio.live_fit.shown_document, Clock::now());
+  studio.latency.displayed(studio.live_fit.shown_document, now);
 }
 
 bool settled(const Studio& studio) {

@@ -87,6 +87,7 @@ struct Studio {
   std::chrono::steady_clock::time_point edited_at{};
   std::chrono::steady_clock::time_point rows_asked_at{};
   std::chrono::steady_clock::time_point frame_start{};
+  double frame_milliseconds = 0;  // from its start until the newest frame was shown
 };
 
 // Before the panels of a frame: takes over what jobs and workers have ready.

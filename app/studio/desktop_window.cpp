@@ -123,7 +123,7 @@ void DesktopWindow::frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   build_frame(*studio_);
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  draw_built_frame();
   glfwSwapBuffers(window);
   frame_shown(*studio_);
   int width = 0;

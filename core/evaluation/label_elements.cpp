@@ -93,11 +93,12 @@ LabellingGraph make_face_graph(const FaceAdjacency& adjacency, std::size_t faces
 
 ElementLabeller::ElementLabeller(const PolygonMesh& mesh, const ShapeSamples& samples,
                                  const FitOptions& options)
-    : samples_(&samples), options_(options), tree_(samples.points), elements_(mesh.element_count()) {
+    : samples_(&samples), options_(options), elements_(mesh.element_count()) {
   if (samples.size() == 0) throw PreconditionError("a shape without samples cannot be labelled");
   for (const auto f : samples.faces) {
     if (f >= elements_.size()) throw PreconditionError("the samples to label from belong to another mesh");
   }
+  const KdTree tree(samples.points);
   std::vector<KdTree::Neighbour> near;
   double area = 0;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
@@ -106,7 +107,7 @@ ElementLabeller::ElementLabeller(const PolygonMesh& mesh, const ShapeSamples& sa
         samples.frame.to_normalised(mesh.is_point_set() ? mesh.vertices[e] : face_centre(mesh, e));
     element.area_share = mesh.is_point_set() ? 1.0 : 0.5 * face_area_vector(mesh, e).norm();
     area += element.area_share;
-    tree_.nearest(element.point, nearest_count, near);
+    tree.nearest(element.point, nearest_count, near);
     double sum = 0;
     for (std::size_t i = 0; i < near.size(); ++i) {
       element.nearest[i] = near[i].index;
@@ -122,6 +123,12 @@ ElementLabeller::ElementLabeller(const PolygonMesh& mesh, const ShapeSamples& sa
   if (!surface_) return;
   faces_ = make_face_graph(adjacency, elements_.size(), area, options.face_smoothness);
   points_ = make_point_graph(samples, options);
+  around_.reserve(samples.size());
+  for (const Vec3& point : samples.points) {
+    tree.nearest(point, static_cast<std::size_t>(options.face_neighbours), near);
+    auto& around = around_.emplace_back();
+    for (const auto& neighbour : near) around.push_back(neighbour.index);
+  }
 }
 
 std::vector<std::int16_t> ElementLabeller::label(const PartTemplate& part_template,
@@ -150,14 +157,15 @@ std::vector<std::int16_t> ElementLabeller::cut(const PartTemplate& part_template
 
   const auto core = core_samples(points_, fit.labels, options_.face_core);
   std::vector<std::vector<std::int16_t>> candidates(samples_->size());
-  std::vector<KdTree::Neighbour> near;
+  const auto add_candidate = [&](std::size_t i, std::uint32_t sample) {
+    const auto label = fit.labels[sample];
+    candidates[i].push_back(label == null_label ? null : label);
+  };
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    tree_.nearest(samples_->points[i], core[i] ? 1 : static_cast<std::size_t>(options_.face_neighbours),
-                  near);
-    for (const auto& n : near) {
-      const auto label = fit.labels[n.index];
-      candidates[i].push_back(label == null_label ? null : label);
-    }
+    if (core[i])
+      add_candidate(i, static_cast<std::uint32_t>(i));
+    else
+      for (const std::uint32_t sample : around_[i]) add_candidate(i, sample);
     std::sort(candidates[i].begin(), candidates[i].end());
     candidates[i].erase(std::unique(candidates[i].begin(), candidates[i].end()), candidates[i].end());
   }

@@ -7,7 +7,6 @@
 
 #include "core/fitting/alpha_expansion.h"
 #include "core/fitting/fit_options.h"
-#include "core/geometry/kd_tree.h"
 #include "core/geometry/polygon_mesh.h"
 #include "core/model/part_template.h"
 #include "core/model/shape.h"
@@ -42,11 +41,12 @@ class ElementLabeller {
 
   const ShapeSamples* samples_;
   FitOptions options_;
-  KdTree tree_;           // over the samples
   bool surface_ = false;  // the mesh has an adjacency worth a cut
   std::vector<Element> elements_;
-  LabellingGraph faces_;   // if surface_
-  LabellingGraph points_;  // if surface_
+  // Of a surface:
+  LabellingGraph faces_;
+  LabellingGraph points_;
+  std::vector<std::vector<std::uint32_t>> around_;  // each sample's nearest ones, itself first
 };
 
 // The same for one fit.

@@ -1,6 +1,7 @@
 // A background worker that always computes the newest request: what is older and still waits is forgotten.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -43,7 +44,7 @@ class LatestWorker {
         result_.reset();
       }
     }
-    changed_.notify_one();
+    changed_.notify_all();
   }
   // Forgets what waits, runs or was not taken yet.
   void cancel() {
@@ -51,6 +52,11 @@ class LatestWorker {
     waiting_.reset();
     result_.reset();
     running_stop_.request_stop();
+  }
+  // Returns when poll() has a result, nothing is under way, or `most` has passed.
+  void wait(std::chrono::milliseconds most) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, most, [this] { return result_ || (!waiting_ && !running_); });
   }
   std::optional<Result> poll() {
     const std::lock_guard lock(mutex_);
@@ -79,6 +85,7 @@ class LatestWorker {
       if (control.cancelled() || stop.stop_requested()) result.reset();
       if (result) result_ = std::move(result);
       lock.unlock();
+      changed_.notify_all();
       if (wake_) wake_();
     }
   }

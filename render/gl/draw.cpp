@@ -38,6 +38,10 @@ void clear(const glm::vec4& colour) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
+void finish() {
+  glFinish();
+}
+
 void draw_triangles(const VertexArray& vertices, std::size_t vertex_count) {
   glBindVertexArray(vertices.name());
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertex_count));

@@ -26,6 +26,9 @@ void draw_points(const VertexArray& vertices, std::size_t vertex_count);
 // A triangle strip of four corners for each instance.
 void draw_quads(const VertexArray& vertices, std::size_t instance_count);
 
+// Returns when all that was asked for has been drawn.
+void finish();
+
 // Throws Error if OpenGL has reported an error since the last call; `what` was being done then.
 void check_errors(const char* what);
 

@@ -61,6 +61,29 @@ TEST_CASE("A request that makes the running one stale cancels it") {
   CHECK(wait_for(worker) == 2);
 }
 
+TEST_CASE("One can wait for a result a little, and for nothing when nothing is under way") {
+  const auto elapsed = [start = std::chrono::steady_clock::now()] {
+    return std::chrono::steady_clock::now() - start;
+  };
+  std::atomic<bool> hold = true;
+  Worker worker(
+      [&](const int& request, const JobControl&) -> std::optional<int> {
+        while (hold) std::this_thread::sleep_for(1ms);
+        return request;
+      },
+      {});
+  worker.wait(1min);
+  CHECK(elapsed() < 30s);
+  worker.request(1, false);
+  worker.wait(20ms);
+  CHECK(elapsed() >= 20ms);
+  CHECK_FALSE(worker.poll());
+  hold = false;
+  worker.wait(1min);
+  CHECK(elapsed() < 30s);
+  CHECK(worker.poll() == 1);
+}
+
 TEST_CASE("A worker that is busy ends with its owner, within the time of a check") {
   const auto start = std::chrono::steady_clock::now();
   {
