@@ -60,11 +60,11 @@ Layout lay_out(const Studio& studio) {
   return layout;
 }
 
-// The panels' colour is what the picture is cleared to (imgui_session.cpp): filling every panel once more would
-// be a third of the time that a frame takes without a graphics card.
-constexpr ImGuiWindowFlags still = ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                                   ImGuiWindowFlags_NoNavFocus;
+// The panels' colour is what the picture is cleared to (imgui_session.cpp): filling every panel once more
+// would be a third of the time that a frame takes without a graphics card.
+constexpr ImGuiWindowFlags still = ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoDecoration |
+                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus;
 
 void begin_area(const char* name, const Rect& rect, ImGuiWindowFlags flags = 0) {
   ImGui::SetNextWindowPos(rect.low);

@@ -22,8 +22,8 @@ void take_over_shape(Studio& studio) {
   if (!studio.shape.problem.empty()) say(studio, Severity::warning, studio.shape.problem);
 }
 
-// A fit that comes just after a frame has begun would be seen one frame later: while a box is dragged, a frame
-// rather begins a little later. It also leaves the processor to the fit where OpenGL takes all of it.
+// A fit that comes just after a frame has begun would be seen one frame later: while a box is dragged, a
+// frame rather begins a little later. It also leaves the processor to the fit where OpenGL takes all of it.
 constexpr std::chrono::milliseconds patience{15};
 
 void take_over_fit(Studio& studio) {
