@@ -27,6 +27,8 @@ struct FitOptions {
 
   std::array<bool, 4> yaws{true, true, true, true};  // candidate quarter turns about up to try
   int max_alternations = 100;                        // the paper's
+  bool drop_parts = true;    // leave out parts that the shape gives no evidence for (part_evidence())
+  double odds_weight = 0.2;  // what the odds of a part's existence count as evidence
   ExpansionOptions expansion;
 };
 

@@ -2,10 +2,12 @@
 #include "core/fitting/fit_template.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/fitting/deformation.h"
 #include "core/fitting/energy.h"
+#include "core/fitting/evidence.h"
 #include "core/fitting/label_costs.h"
 #include "core/fitting/point_graph.h"
 #include "core/fitting/template_surface.h"
@@ -25,6 +27,9 @@ constexpr double smallest_gain = 1e-4;
 constexpr int first_alternations = 2;
 constexpr double more_gains = 25;
 
+// No sample takes the label of a part that was dropped: dearer than all other costs together.
+constexpr std::int32_t forbidden_cost = 1 << 30;
+
 // One yaw on its way.
 struct Alternation {
   ShapeFit fit;  // the state after the last alternation
@@ -32,7 +37,9 @@ struct Alternation {
   std::vector<std::int16_t> labels;
   Vec3 translation;
   Correspondences matches;
-  double gain = 1;  // of the last alternation, as a share of the energy
+  std::vector<bool> dropped;  // parts that no sample may be mapped to
+  double gain = 1;            // of the last alternation, as a share of the energy
+  bool fresh = true;          // not advanced yet since it started or lost a part
   bool ended = false;
 };
 
@@ -55,9 +62,14 @@ class Fitter {
   Alternation start(int yaw, const Vec3& translation, std::vector<std::int16_t> labels) const;
   // One alternation; sets `ended` when there is nothing more to gain.
   void advance(Alternation& run);
+  // The present part with the least evidence, if it is better left out.
+  std::optional<std::size_t> unfounded_part(const Alternation& run);
+  // The same state with one part less, its box back at the mean, to be advanced anew.
+  Alternation without(const Alternation& run, std::size_t part) const;
 
  private:
-  void label(std::span<const Box> boxes, std::span<const double> features, std::vector<std::int16_t>& labels);
+  void place(const Alternation& run);
+  void label(const Alternation& run, std::span<const double> features, std::vector<std::int16_t>& labels);
   std::span<const double> features_of(int yaw);
 
   PartTemplate template_;
@@ -81,21 +93,27 @@ std::span<const double> Fitter::features_of(int yaw) {
   return costs;
 }
 
-// The first step. The expansion knows the null label as the last one; an empty `labels` starts from the
-// cheapest.
-void Fitter::label(std::span<const Box> boxes, std::span<const double> features,
+// The first step. The expansion knows the null label as the last one. Samples without a label that they may
+// have start from the cheapest.
+void Fitter::label(const Alternation& run, std::span<const double> features,
                    std::vector<std::int16_t>& labels) {
-  const std::size_t count = boxes.size() + 1;
-  const auto null = static_cast<std::int16_t>(boxes.size());
-  label_costs(points_, boxes, features, unit_, options_, costs_);
-  if (labels.empty()) {
-    for (std::size_t i = 0; i < points_.size(); ++i) {
+  const std::size_t parts = run.boxes.size();
+  const std::size_t count = parts + 1;
+  const auto null = static_cast<std::int16_t>(parts);
+  label_costs(points_, run.boxes, features, unit_, options_, costs_);
+  for (std::size_t k = 0; k < parts; ++k) {
+    for (std::size_t i = 0; run.dropped[k] && i < points_.size(); ++i) costs_[i * count + k] = forbidden_cost;
+  }
+  const bool unlabelled = labels.empty();
+  labels.resize(points_.size());
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (!unlabelled && labels[i] == null_label) {
+      labels[i] = null;
+    } else if (unlabelled || run.dropped[static_cast<std::size_t>(labels[i])]) {
       const auto row = costs_.begin() + static_cast<std::ptrdiff_t>(i * count);
-      labels.push_back(
-          static_cast<std::int16_t>(std::min_element(row, row + static_cast<std::ptrdiff_t>(count)) - row));
+      labels[i] =
+          static_cast<std::int16_t>(std::min_element(row, row + static_cast<std::ptrdiff_t>(count)) - row);
     }
-  } else {
-    std::replace(labels.begin(), labels.end(), null_label, null);
   }
   expand_labels(graph_, costs_, count, labels, workspace_, options_.expansion);
   std::replace(labels.begin(), labels.end(), null, null_label);
@@ -111,22 +129,28 @@ Alternation Fitter::start(int yaw, const Vec3& translation, std::vector<std::int
   run.fit.translation = run.translation = translation;
   run.fit.labels.assign(samples_.size(), null_label);
   run.labels = std::move(labels);
+  run.dropped.assign(template_.parts.size(), false);
   return run;
+}
+
+void Fitter::place(const Alternation& run) {
+  points_.clear();
+  for (const Vec3& p : samples_.points)
+    points_.push_back(turn_quarters(p, -run.fit.yaw_quarters) - run.translation);
 }
 
 void Fitter::advance(Alternation& run) {
   const int yaw = run.fit.yaw_quarters;
   const std::span<const double> features = features_of(yaw);
-  points_.clear();
-  for (const Vec3& p : samples_.points) points_.push_back(turn_quarters(p, -yaw) - run.translation);
-  label(run.boxes, features, run.labels);
+  place(run);
+  label(run, features, run.labels);
   match({&tree_, points_, yaw, run.translation}, run.labels, run.boxes, surface_, run.matches);
   const MatchedShape shape{points_, run.labels, &surface_, &run.matches, unit_};
   const FitEnergy energy = fit_energy(shape, template_, run.boxes, features, graph_, options_);
   // The labelling cannot see E_t->s (its matches are only defined once all points have labels), so an
   // alternation as a whole may fail to gain. Then the one before was the best, and no later one differs from
   // this.
-  const bool first = run.fit.alternations == 0;
+  const bool first = std::exchange(run.fresh, false);
   run.gain = first ? 1 : 1 - energy.total() / run.fit.energy.total();
   if (run.gain <= 0) {
     run.fit.converged = run.ended = true;
@@ -137,9 +161,12 @@ void Fitter::advance(Alternation& run) {
   run.fit.labels = run.labels;
   run.fit.energy = energy;
   ++run.fit.alternations;
-  for (std::size_t p = 0; p < run.boxes.size(); ++p) run.fit.parts[p] = {false, run.boxes[p]};
+  for (std::size_t p = 0; p < run.boxes.size(); ++p)
+    run.fit.parts[p] = {false, template_.parts[p].mean_box()};
   for (const auto l : run.labels) {
-    if (l != null_label) run.fit.parts[static_cast<std::size_t>(l)].present = true;
+    if (l == null_label) continue;
+    const auto part = static_cast<std::size_t>(l);
+    run.fit.parts[part] = {true, run.boxes[part]};
   }
   run.fit.converged = same_labels || run.gain < smallest_gain;
   run.ended = run.fit.converged || run.fit.alternations >= options_.max_alternations;
@@ -148,6 +175,47 @@ void Fitter::advance(Alternation& run) {
   run.translation -= step;
   for (Vec3& p : points_) p += step;
   deformation_step(shape, template_, options_, run.boxes);
+}
+
+Alternation Fitter::without(const Alternation& run, std::size_t part) const {
+  Alternation next = start(run.fit.yaw_quarters, run.fit.translation, run.fit.labels);
+  next.fit.alternations = run.fit.alternations;
+  next.dropped = run.dropped;
+  next.dropped[part] = true;
+  next.matches = run.matches;
+  for (std::size_t k = 0; k < next.boxes.size(); ++k) {
+    if (k != part) next.boxes[k] = run.fit.parts[k].box;
+  }
+  return next;
+}
+
+std::optional<std::size_t> Fitter::unfounded_part(const Alternation& run) {
+  Alternation at = start(run.fit.yaw_quarters, run.fit.translation, run.fit.labels);
+  for (std::size_t k = 0; k < at.boxes.size(); ++k) at.boxes[k] = run.fit.parts[k].box;
+  at.matches = run.matches;
+  place(at);
+  match({&tree_, points_, at.fit.yaw_quarters, at.translation}, at.labels, at.boxes, surface_, at.matches);
+  label_costs(points_, at.boxes, features_of(at.fit.yaw_quarters), unit_, options_, costs_);
+  const std::vector<double> evidence = part_evidence({points_, at.labels, &surface_, &at.matches, unit_},
+                                                     template_, at.boxes, costs_, options_);
+  const auto least = std::min_element(evidence.begin(), evidence.end());
+  if (*least >= 0) return std::nullopt;
+  return static_cast<std::size_t>(least - evidence.begin());
+}
+
+// Advances a run until it ends, then goes on without the parts that the shape gives no evidence for, one
+// after the other. False when cancelled.
+template <typename Advance>
+bool run_to_end(Fitter& fitter, Alternation& run, const FitOptions& options, const JobControl& control,
+                const Advance& advance) {
+  for (;;) {
+    while (!run.ended && !control.cancelled()) advance(run);
+    if (control.cancelled()) return false;
+    if (!options.drop_parts) return true;
+    const std::optional<std::size_t> part = fitter.unfounded_part(run);
+    if (!part) return true;
+    run = fitter.without(run, *part);
+  }
 }
 
 }  // namespace
@@ -176,7 +244,7 @@ std::optional<ShapeFit> fit_template(const PartTemplate& part_template, const Sh
   });
   std::array<double, 4> energies;
   energies.fill(std::numeric_limits<double>::infinity());
-  const Alternation* best = nullptr;
+  Alternation* best = nullptr;
   for (Alternation& run : runs) {
     const auto could_win = [&] {
       return !best || run.fit.energy.total() * (1 - more_gains * run.gain) < best->fit.energy.total();
@@ -188,7 +256,7 @@ std::optional<ShapeFit> fit_template(const PartTemplate& part_template, const Sh
     energies[static_cast<std::size_t>(run.fit.yaw_quarters)] = run.fit.energy.total();
     if (!best || run.fit.energy.total() < best->fit.energy.total()) best = &run;
   }
-  if (control.cancelled()) return std::nullopt;
+  if (!run_to_end(fitter, *best, options, control, advance)) return std::nullopt;
   if (recording) *recording = std::move(recordings[static_cast<std::size_t>(best->fit.yaw_quarters)]);
   ShapeFit fit = best->fit;
   fit.yaw_energies = energies;
@@ -206,10 +274,8 @@ std::optional<ShapeFit> refit_template(const PartTemplate& part_template, const 
                       std::all_of(labels.begin(), labels.end(), [parts](auto l) { return l < parts; });
   if (!usable) labels.clear();
   Alternation run = fitter.start(start.yaw_quarters, start.translation, std::move(labels));
-  while (!run.ended) {
-    if (control.cancelled()) return std::nullopt;
-    fitter.advance(run);
-  }
+  const auto advance = [&](Alternation& state) { fitter.advance(state); };
+  if (!run_to_end(fitter, run, options, control, advance)) return std::nullopt;
   run.fit.yaw_energies.fill(std::numeric_limits<double>::infinity());
   run.fit.yaw_energies[static_cast<std::size_t>(start.yaw_quarters)] = run.fit.energy.total();
   return run.fit;

@@ -42,7 +42,8 @@ struct ShapeFit {
   FitEnergy energy;
   int alternations = 0;
   bool converged = false;                // the labels stopped changing
-  std::array<double, 4> yaw_energies{};  // total energy that each yaw reached; infinite where not tried
+  std::array<double, 4> yaw_energies{};  // total energy that each yaw reached with all parts; infinite
+                                         // where not tried
 
   Vec3 to_template(const Vec3& p) const;
   Vec3 to_shape(const Vec3& q) const;

@@ -12,7 +12,7 @@ std::vector<std::pair<std::string, double>> named_options(const FitOptions& opti
   // Taken apart by position, so that an option which is added there and forgotten here does not compile.
   const auto& [distance_unit, alpha, beta, gamma, null_cost, feature_clip, existence_weight, graph_neighbours,
                face_smoothness, face_core, face_neighbours, template_points, yaws, max_alternations,
-               expansion] = options;
+               drop_parts, odds_weight, expansion] = options;
   const auto& [prune] = expansion;
   return {{"distance_unit", distance_unit},
           {"alpha", alpha},
@@ -31,6 +31,8 @@ std::vector<std::pair<std::string, double>> named_options(const FitOptions& opti
           {"yaw_180", yaws[2]},
           {"yaw_270", yaws[3]},
           {"max_alternations", max_alternations},
+          {"drop_parts", drop_parts},
+          {"odds_weight", odds_weight},
           {"prune", prune}};
 }
 

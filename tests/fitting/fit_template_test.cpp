@@ -22,12 +22,14 @@ GenerateOptions plain_chairs() {
 }  // namespace
 
 TEST_CASE("the energy never rises from one alternation to the next") {
+  FitOptions options;
+  options.drop_parts = false;  // a part that goes may cost
   for (const std::string& family : families()) {
     const PartTemplate part_template = test::template_from(test::make_shape(family, {}, 0, 500));
     for (std::size_t i = 1; i < 6; ++i) {
       const test::MadeShape shape = test::make_shape(family, {}, i, 500);
       FitRecording recording;
-      const auto fit = fit_template(part_template, shape.samples, {}, {}, &recording);
+      const auto fit = fit_template(part_template, shape.samples, options, {}, &recording);
       REQUIRE(fit);
       REQUIRE(recording.steps.size() == static_cast<std::size_t>(fit->alternations) + 1);
       for (std::size_t s = 2; s < recording.steps.size(); ++s) {
@@ -103,6 +105,43 @@ TEST_CASE("a part that must exist is missed dearly, one that need not costs litt
   part_template.parts.back().must_exist = true;
   const auto required = fit_template(part_template, shape.samples, {});
   CHECK(required->energy.total() > 900);
+}
+
+TEST_CASE("optional parts stay where a shape has them and go where it lacks them") {
+  GenerateOptions with_arms;
+  with_arms.styles = {"arms"};
+  const test::MadeShape armchair = test::make_shape("chairs", with_arms, 0);
+  PartTemplate part_template = test::template_from(armchair);
+  const auto& names = family_names("chairs").labels;
+  const auto arm = static_cast<int>(std::find(names.begin(), names.end(), "arm") - names.begin());
+  for (TemplatePart& part : part_template.parts) part.existence = part.label == arm ? 0.5 : 0.9;
+  FitOptions keep;
+  keep.drop_parts = false;
+  const auto arms_of = [&](const test::MadeShape& shape, const FitOptions& options) {
+    FitRecording recording;
+    const auto fit = fit_template(part_template, shape.samples, options, {}, &recording);
+    CHECK(recording.steps.size() == static_cast<std::size_t>(fit->alternations) + 1);
+    CHECK(recording.steps.back().energy == fit->energy);
+    int present = 0;
+    for (std::size_t k = 0; k < fit->parts.size(); ++k) {
+      if (!fit->parts[k].present) CHECK(fit->parts[k].box.centre == part_template.parts[k].position.mean);
+      if (part_template.parts[k].label == arm && fit->parts[k].present) ++present;
+    }
+    return present;
+  };
+  int kept_on_plain = 0;
+  int dropped_on_plain = 0;
+  int on_armchairs = 0;
+  for (std::size_t i = 1; i <= 8; ++i) {
+    const test::MadeShape plain = test::make_shape("chairs", plain_chairs(), i);
+    kept_on_plain += arms_of(plain, keep);
+    dropped_on_plain += arms_of(plain, {});
+    on_armchairs += arms_of(test::make_shape("chairs", with_arms, i), {});
+  }
+  // Four boxes a chair: two rests and what holds them.
+  CHECK(kept_on_plain >= 16);
+  CHECK(2 * dropped_on_plain <= kept_on_plain);
+  CHECK(on_armchairs >= 26);
 }
 
 TEST_CASE("live refits start from the fit that is there") {

@@ -9,6 +9,7 @@
 
 #include "core/fitting/deformation.h"
 #include "core/fitting/energy.h"
+#include "core/fitting/evidence.h"
 #include "core/fitting/label_costs.h"
 #include "core/fitting/point_graph.h"
 #include "core/fitting/template_surface.h"
@@ -112,55 +113,121 @@ std::int64_t plain_expand_labels(const LabellingGraph& graph, const LabelCosts& 
   return labelling_energy(graph, unary, label_count, labels);
 }
 
+namespace {
+
+// What stays the same over yaws and alternations.
+struct Plain {
+  const PartTemplate& part_template;
+  const ShapeSamples& samples;
+  const FitOptions& options;
+  TemplateSurface surface;
+  LabellingGraph graph;
+  double unit;
+};
+
+struct Step {
+  std::vector<Vec3> points;
+  std::vector<double> features;
+  LabelCosts costs;
+};
+
+// Points and costs for boxes over the shape as it stands in `fit`; dropped parts cost too much for any
+// sample.
+Step make_step(const Plain& plain, const ShapeFit& fit, std::span<const Box> boxes,
+               const std::vector<bool>& dropped) {
+  Step step;
+  const int yaw = fit.yaw_quarters;
+  step.features =
+      feature_costs(plain.part_template, (yaw & 1) != 0 ? plain.samples.features_z : plain.samples.features_x,
+                    plain.options);
+  for (const Vec3& p : plain.samples.points) step.points.push_back(turn_quarters(p, -yaw) - fit.translation);
+  label_costs(step.points, boxes, step.features, plain.unit, plain.options, step.costs);
+  for (std::size_t i = 0; i < step.points.size(); ++i) {
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      if (dropped[k]) step.costs[i * (boxes.size() + 1) + k] = 1 << 30;
+    }
+  }
+  return step;
+}
+
+// The alternation from the given boxes at the yaw and translation of `start`.
+ShapeFit alternate(const Plain& plain, const ShapeFit& start, std::vector<Box> boxes,
+                   const std::vector<bool>& dropped) {
+  const std::size_t count = boxes.size() + 1;
+  ShapeFit fit = start;
+  fit.energy.existence = std::numeric_limits<double>::infinity();
+  ShapeFit next = start;
+  for (int step = 0; step < plain.options.max_alternations; ++step) {
+    Step at = make_step(plain, next, boxes, dropped);
+    next.labels.clear();
+    for (std::size_t i = 0; i < at.points.size(); ++i) {
+      const auto row = at.costs.begin() + static_cast<std::ptrdiff_t>(i * count);
+      next.labels.push_back(
+          static_cast<std::int16_t>(std::min_element(row, row + static_cast<std::ptrdiff_t>(count)) - row));
+    }
+    plain_expand_labels(plain.graph, at.costs, count, next.labels);
+    std::replace(next.labels.begin(), next.labels.end(), static_cast<std::int16_t>(count - 1), null_label);
+    Correspondences matches;
+    plain_match(at.points, next.labels, boxes, plain.surface, matches);
+    const MatchedShape shape{at.points, next.labels, &plain.surface, &matches, plain.unit};
+    next.energy = fit_energy(shape, plain.part_template, boxes, at.features, plain.graph, plain.options);
+    if (next.energy.total() >= fit.energy.total()) break;
+    const bool same = next.labels == fit.labels;
+    next.alternations = step + 1;
+    next.parts.clear();
+    for (const Box& box : boxes) next.parts.push_back({true, box});
+    fit = next;
+    if (same) break;
+    const Vec3 move = rigid_step(shape, boxes);
+    next.translation -= move;
+    for (Vec3& p : at.points) p += move;
+    deformation_step(shape, plain.part_template, plain.options, boxes);
+  }
+  return fit;
+}
+
+// The part with the least evidence, if that is below zero.
+std::optional<std::size_t> unfounded_part(const Plain& plain, const ShapeFit& fit, std::span<const Box> boxes,
+                                          const std::vector<bool>& dropped) {
+  const Step at = make_step(plain, fit, boxes, dropped);
+  Correspondences matches;
+  plain_match(at.points, fit.labels, boxes, plain.surface, matches);
+  const auto evidence = part_evidence({at.points, fit.labels, &plain.surface, &matches, plain.unit},
+                                      plain.part_template, boxes, at.costs, plain.options);
+  const auto least = std::min_element(evidence.begin(), evidence.end());
+  if (*least >= 0) return std::nullopt;
+  return static_cast<std::size_t>(least - evidence.begin());
+}
+
+}  // namespace
+
 ShapeFit plain_fit(const PartTemplate& given, const ShapeSamples& samples, const FitOptions& options) {
   const PartTemplate part_template = with_expected_features(given);
-  const TemplateSurface surface = sample_template(part_template, options.template_points);
-  const LabellingGraph graph = make_point_graph(samples, options);
-  const double unit = options.distance_unit * samples.radius;
-  const std::size_t count = part_template.parts.size() + 1;
+  const Plain plain{part_template,
+                    samples,
+                    options,
+                    sample_template(part_template, options.template_points),
+                    make_point_graph(samples, options),
+                    options.distance_unit * samples.radius};
+  std::vector<Box> means;
+  for (const TemplatePart& part : part_template.parts) means.push_back(part.mean_box());
+  std::vector<bool> dropped(means.size(), false);
   ShapeFit best;
   best.energy.existence = std::numeric_limits<double>::infinity();
   for (int yaw = 0; yaw < 4; ++yaw) {
-    const auto features =
-        feature_costs(part_template, (yaw & 1) != 0 ? samples.features_z : samples.features_x, options);
-    std::vector<Box> boxes;
-    for (const TemplatePart& part : part_template.parts) boxes.push_back(part.mean_box());
-    ShapeFit fit;
-    fit.yaw_quarters = yaw;
-    fit.energy.existence = std::numeric_limits<double>::infinity();
-    Vec3 translation = Vec3::Zero();
-    for (int step = 0; step < options.max_alternations; ++step) {
-      std::vector<Vec3> points;
-      for (const Vec3& p : samples.points) points.push_back(turn_quarters(p, -yaw) - translation);
-      LabelCosts costs;
-      label_costs(points, boxes, features, unit, options, costs);
-      std::vector<std::int16_t> labels;
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto row = costs.begin() + static_cast<std::ptrdiff_t>(i * count);
-        labels.push_back(
-            static_cast<std::int16_t>(std::min_element(row, row + static_cast<std::ptrdiff_t>(count)) - row));
-      }
-      plain_expand_labels(graph, costs, count, labels);
-      std::replace(labels.begin(), labels.end(), static_cast<std::int16_t>(count - 1), null_label);
-      Correspondences matches;
-      plain_match(points, labels, boxes, surface, matches);
-      const MatchedShape shape{points, labels, &surface, &matches, unit};
-      const FitEnergy energy = fit_energy(shape, part_template, boxes, features, graph, options);
-      if (energy.total() >= fit.energy.total()) break;
-      const bool same = labels == fit.labels;
-      fit.energy = energy;
-      fit.labels = labels;
-      fit.translation = translation;
-      fit.alternations = step + 1;
-      fit.parts.clear();
-      for (const Box& box : boxes) fit.parts.push_back({true, box});
-      if (same) break;
-      const Vec3 move = rigid_step(shape, boxes);
-      translation -= move;
-      for (Vec3& p : points) p += move;
-      deformation_step(shape, part_template, options, boxes);
-    }
+    ShapeFit start;
+    start.yaw_quarters = yaw;
+    const ShapeFit fit = alternate(plain, start, means, dropped);
     if (fit.energy.total() < best.energy.total()) best = fit;
+  }
+  while (options.drop_parts) {
+    std::vector<Box> boxes;
+    for (const FittedPart& part : best.parts) boxes.push_back(part.box);
+    const auto part = unfounded_part(plain, best, boxes, dropped);
+    if (!part) break;
+    dropped[*part] = true;
+    boxes[*part] = means[*part];
+    best = alternate(plain, best, boxes, dropped);
   }
   return best;
 }
