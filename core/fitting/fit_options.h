@@ -20,9 +20,9 @@ struct FitOptions {
   double feature_clip = 9.0;  // squared deviation (in variances, mean over the features) that counts as 1
   double existence_weight = 0.05;  // weight of -log(existence) per part
   int graph_neighbours = 8;        // of each sample in the labelling graph
-  double face_smoothness = 0.015;  // weight of boundary lengths when faces are labelled, in roots of the area
+  double face_smoothness = 0.02;   // weight of boundary lengths when faces are labelled, in roots of the area
   double face_core = 0.5;     // samples deeper in their part than this share of its depth keep their faces
-  int face_neighbours = 20;   // other faces may take the labels of that many samples around them
+  int face_neighbours = 30;   // other faces may take the labels of that many samples around them
   int template_points = 600;  // samples of the template's boxes for E_t->s
 
   std::array<bool, 4> yaws{true, true, true, true};  // candidate quarter turns about up to try
