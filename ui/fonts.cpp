@@ -15,7 +15,11 @@ ImFont* add_font(Fonts& fonts, const char* file, float size) {
   if (std::filesystem::exists(file)) {
     ImFontConfig config;
     config.OversampleH = config.OversampleV = 1;  // FreeType hints to whole pixels: sharper than oversampling
-    font = io.Fonts->AddFontFromFileTTF(file, pixels, &config, io.Fonts->GetGlyphRangesCyrillic());
+    // What Roboto has of Latin, Greek and Cyrillic, for names of shapes, and punctuation. As below, Dear
+    // ImGui keeps the pointer.
+    static constexpr ImWchar letters[] = {0x20,   0x17f,  0x370,  0x3ff,  0x400,  0x52f,  0x1e00, 0x1eff,
+                                          0x2010, 0x2044, 0x20ac, 0x20ac, 0x2212, 0x2212, 0};
+    font = io.Fonts->AddFontFromFileTTF(file, pixels, &config, letters);
   } else {
     fonts.missing.emplace_back(file);
     ImFontConfig config;

@@ -20,6 +20,25 @@ bool can_go_on(const LiveFitRequest& request) {
          request.start->fit.parts.size() == request.part_template->parts.size();
 }
 
+// A box or two may fit a shape at every yaw nearly alike; which is best then changes from edit to edit, and
+// the shape would turn in the view each time. Another yaw than the one shown has to be better by this share.
+constexpr double yaw_margin = 0.01;
+
+std::optional<ShapeFit> fit_at_any_yaw(const LiveFitRequest& request, const JobControl& control) {
+  std::optional<ShapeFit> fit =
+      fit_template(*request.part_template, *request.samples, request.options, control);
+  const int shown = request.start ? request.start->fit.yaw_quarters : 0;
+  if (!fit || fit->yaw_quarters == shown) return fit;
+  const auto energy_at = [&](int yaw) { return fit->yaw_energies[static_cast<std::size_t>(yaw)]; };
+  if (energy_at(shown) * (1 - yaw_margin) > energy_at(fit->yaw_quarters)) return fit;
+  FitOptions options = request.options;
+  options.yaws.fill(false);
+  options.yaws[static_cast<std::size_t>(shown)] = true;
+  std::optional<ShapeFit> same = fit_template(*request.part_template, *request.samples, options, control);
+  if (same) same->yaw_energies = fit->yaw_energies;
+  return same;
+}
+
 }  // namespace
 
 std::vector<std::int16_t> LiveFitter::label(const LiveFitRequest& request, const ShapeFit& fit) {
@@ -41,7 +60,7 @@ std::optional<LiveFitResult> LiveFitter::run(const LiveFitRequest& request, cons
     std::optional<ShapeFit> fit =
         can_go_on(request)
             ? refit_template(part_template, *request.samples, request.start->fit, request.options, control)
-            : fit_template(part_template, *request.samples, request.options, control);
+            : fit_at_any_yaw(request, control);
     if (!fit) return std::nullopt;
     result.fit_milliseconds = milliseconds_since(start);
 
