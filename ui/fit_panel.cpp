@@ -6,7 +6,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <string>
+#include <vector>
 
+#include "core/fitting/energy.h"
 #include "core/model/part_colours.h"
 #include "ui/icons.h"
 #include "ui/panels.h"
@@ -44,6 +47,22 @@ void energy_row(const Studio& studio, const char* name, const char* meaning, dou
   ImGui::TextUnformatted(number(value).c_str());
 }
 
+// What the energy would be if no part had to exist: 1000 more a part says nothing to a person, and its bar
+// would hide the others.
+FitEnergy without_missing(FitEnergy energy, std::size_t missing_parts) {
+  energy.existence -= missing_must_exist_energy * static_cast<double>(missing_parts);
+  return energy;
+}
+
+std::vector<std::string> missing_parts(const ViewFit& view) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < view.part_template->parts.size(); ++i) {
+    const TemplatePart& part = view.part_template->parts[i];
+    if (part.must_exist && !view.fit.parts[i].present) names.push_back(part.name);
+  }
+  return names;
+}
+
 void draw_energy(const Studio& studio, const FitEnergy& energy) {
   const std::array terms{energy.shape_to_template, energy.template_to_shape, energy.features,
                          energy.deformation,       energy.smoothness,        energy.existence};
@@ -63,13 +82,17 @@ void draw_energy(const Studio& studio, const FitEnergy& energy) {
 // The four yaws that were tried; what is not finite was not.
 void draw_yaws(const Studio& studio, const ShapeFit& fit) {
   muted_text(studio, "Yaw");
-  tooltip("The total energy that each quarter turn about up ended with.");
+  tooltip(
+      "The total energy that each quarter turn about up ended with; lacks: a part that must exist was not "
+      "found.");
   const float width = (ImGui::GetContentRegionAvail().x - 48 * studio.fonts.scale) / 4;
   for (int quarter = 0; quarter < 4; ++quarter) {
     ImGui::SameLine(48 * studio.fonts.scale + width * static_cast<float>(quarter));
     const double energy = fit.yaw_energies[static_cast<std::size_t>(quarter)];
     char text[48];
-    if (std::isfinite(energy))
+    if (std::isfinite(energy) && energy >= missing_must_exist_energy)
+      std::snprintf(text, sizeof text, "%d° lacks", quarter * 90);
+    else if (std::isfinite(energy))
       std::snprintf(text, sizeof text, "%d° %.3f", quarter * 90, energy);
     else
       std::snprintf(text, sizeof text, "%d° –", quarter * 90);
@@ -125,8 +148,10 @@ void draw_fit_panel(Studio& studio) {
       muted_paragraph(studio, "Fitting…");
     return;
   }
+  const std::vector<std::string> missing = missing_parts(*view);
+  const FitEnergy energy = without_missing(view->fit.energy, missing.size());
   ImGui::PushFont(studio.fonts.title);
-  ImGui::TextUnformatted(number(view->fit.energy.total()).c_str());
+  ImGui::TextUnformatted(number(energy.total()).c_str());
   ImGui::PopFont();
   ImGui::SameLine();
   char text[96];
@@ -134,7 +159,9 @@ void draw_fit_panel(Studio& studio) {
                 view->fit.converged ? "settled after" : "stopped after", view->fit.alternations);
   ImGui::AlignTextToFramePadding();
   muted_text(studio, text);
-  draw_energy(studio, view->fit.energy);
+  for (const std::string& part : missing)
+    ImGui::TextColored(colours(studio).warning, "%s must exist, and was not found", part.c_str());
+  draw_energy(studio, energy);
   draw_yaws(studio, view->fit);
   ImGui::Dummy({0, 2 * studio.fonts.scale});
   draw_parts(studio, *view);
