@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t reference_count = 200;
 constexpr std::size_t most_alike = 5;   // shapes that each shape is compared with
 constexpr double oddness_weight = 0.5;  // beside profile distances, which are 0 to 2
+constexpr double level_weight = 0.2;
 constexpr std::array<double, up_axis_count> preference{0, 0.03, 0.06, 0.06, 0.06, 0.06};  // against each axis
 
 // Mean distance of the samples, mirrored at the plane through the centroid across each axis, to the nearest
@@ -47,6 +48,17 @@ double instability(const std::vector<Vec3>& upright) {
   }
   const Vec3 outside = (contact.centre().cwiseAbs() - contact.half_extent()).cwiseMax(0.0);
   return std::min(std::max(outside.x(), outside.z()), 1.0);
+}
+
+// How much of the surface is level, 0 to 1: seats, table tops and
+// wings are made to lie flat.
+double level_share(const std::vector<Vec3>& normals, const Vec3& vertical) {
+  double sum = 0;
+  for (const Vec3& normal : normals) {
+    const double cosine = normal.dot(vertical);
+    sum += cosine * cosine * cosine * cosine;
+  }
+  return normals.empty() ? 0 : sum / static_cast<double>(normals.size());
 }
 
 UprightLook::Profile profile_of(const std::vector<Vec3>& upright) {
@@ -136,7 +148,9 @@ UprightLook look_upright(const ShapeSamples& samples) {
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       if (axis != vertical) symmetric = std::min(symmetric, uneven[static_cast<std::size_t>(axis)]);
     }
-    look.oddness[up] = symmetric + 0.5 * instability(upright);
+    const Vec3 upward = samples.frame.rotation * rotation.row(1).transpose();
+    look.oddness[up] =
+        symmetric + 0.5 * instability(upright) - level_weight * level_share(samples.normals, upward);
   }
   return look;
 }

@@ -20,8 +20,8 @@ struct UprightLook {
   static constexpr std::size_t quantiles = 16;
   using Profile = std::array<float, 3 * quantiles>;
   std::array<Profile, up_axis_count> profiles{};
-  // What speaks against each axis by itself, about 0 to 1: no vertical plane of symmetry, and a centroid that
-  // does not lie over what the shape stands on.
+  // What speaks against each axis by itself, about -0.2 to 1: no vertical plane of symmetry, a centroid that
+  // does not lie over what the shape stands on, little level surface.
   std::array<double, up_axis_count> oddness{};
 };
 
