@@ -1,10 +1,11 @@
-// archetype evaluate PROJECT --labels DIR
+// archetype evaluate PROJECT [--labels DIR] [--landmarks DIR]
 #include <algorithm>
 #include <iostream>
 #include <set>
 
 #include "app/batch/command.h"
 #include "app/batch/json_output.h"
+#include "app/batch/landmark_report.h"
 #include "app/batch/progress.h"
 #include "app/batch/table.h"
 #include "core/base/error.h"
@@ -19,7 +20,9 @@ using Confusion = std::map<std::pair<int, int>, ElementShare>;
 
 struct Arguments {
   std::filesystem::path project;
-  std::filesystem::path labels;
+  std::filesystem::path labels;     // empty: not asked for
+  std::filesystem::path landmarks;  // the same
+  std::filesystem::path curves;     // where to write them; empty: nowhere
 };
 
 std::vector<ShapeAccuracy> worst_first(std::vector<ShapeAccuracy> shapes) {
@@ -44,7 +47,7 @@ Json confusion_json(const Confusion& confusion) {
   return list;
 }
 
-void print_report_json(const LabellingEvaluation& evaluation) {
+Json labelling_json(const LabellingEvaluation& evaluation) {
   const LabellingReport& report = evaluation.report;
   Json shapes = Json::array();
   for (const ShapeAccuracy& shape : worst_first(report.shapes)) shapes.push_back(accuracy_json(shape));
@@ -56,16 +59,16 @@ void print_report_json(const LabellingEvaluation& evaluation) {
                      {"own_label", part.label},
                      {"best_label", report.best_labels[i]}});
   }
-  print_json({{"mean", accuracy_json(report.mean)},
-              {"total", accuracy_json(report.total)},
-              {"shapes", shapes},
-              {"label_names", evaluation.label_names},
-              {"parts", parts},
-              {"own_confusion", confusion_json(report.own_confusion)},
-              {"best_confusion", confusion_json(report.best_confusion)},
-              {"without_truth", evaluation.without_truth},
-              {"without_labels", evaluation.without_labels},
-              {"refused", refused_json(evaluation.refused)}});
+  return {{"mean", accuracy_json(report.mean)},
+          {"total", accuracy_json(report.total)},
+          {"shapes", shapes},
+          {"label_names", evaluation.label_names},
+          {"parts", parts},
+          {"own_confusion", confusion_json(report.own_confusion)},
+          {"best_confusion", confusion_json(report.best_confusion)},
+          {"without_truth", evaluation.without_truth},
+          {"without_labels", evaluation.without_labels},
+          {"refused", refused_json(evaluation.refused)}};
 }
 
 std::vector<std::string> accuracy_row(const ShapeAccuracy& shape) {
@@ -133,44 +136,88 @@ void print_report(const LabellingEvaluation& evaluation) {
   print_refused(evaluation.refused);
 }
 
-int run_evaluate(const Arguments& arguments, const Invocation& invocation) {
-  const Project project = Project::open(arguments.project);
+LabellingEvaluation measure_labels(const Project& project, const std::filesystem::path& folder,
+                                   const Invocation& invocation) {
   LabellingEvaluation evaluation;
   {
     Progress progress;
-    evaluation =
-        evaluate_labelling(project, arguments.labels, invocation.threads, progress.control(invocation.stop));
+    evaluation = evaluate_labelling(project, folder, invocation.threads, progress.control(invocation.stop));
   }
-  if (evaluation.cancelled) return exit_code::stopped;
-  if (evaluation.report.shapes.empty()) {
-    print_refused(evaluation.refused);
-    throw FileError(arguments.labels,
-                    "no shape of " + project.path().string() +
-                        " has both a labelled fit and a label file here (" +
-                        std::to_string(evaluation.without_labels.size()) + " lack the fit, " +
-                        std::to_string(evaluation.without_truth.size()) +
-                        " the file); run `archetype fit` first, or give the folder with SHAPE.seg files");
+  if (evaluation.cancelled || !evaluation.report.shapes.empty()) return evaluation;
+  print_refused(evaluation.refused);
+  throw FileError(
+      folder, "no shape of " + project.path().string() + " has both a labelled fit and a label file here (" +
+                  std::to_string(evaluation.without_labels.size()) + " lack the fit, " +
+                  std::to_string(evaluation.without_truth.size()) +
+                  " the file); run `archetype fit` first, or give the folder with SHAPE.seg files");
+}
+
+LandmarkEvaluation measure_landmarks(const Project& project, const std::filesystem::path& folder,
+                                     const Invocation& invocation) {
+  LandmarkEvaluation evaluation;
+  {
+    Progress progress;
+    evaluation = evaluate_landmarks(project, folder, invocation.threads, progress.control(invocation.stop));
   }
-  if (invocation.json) {
-    print_report_json(evaluation);
-  } else {
-    print_report(evaluation);
+  if (evaluation.cancelled || evaluation.all.by_diameter.count() > 0) return evaluation;
+  print_refused(evaluation.refused);
+  throw FileError(folder,
+                  "no two shapes of " + project.path().string() +
+                      " have labelled fits and landmarks in common here (" +
+                      std::to_string(evaluation.without_labels.size()) + " lack the fit, " +
+                      std::to_string(evaluation.without_landmarks.size()) +
+                      " the file); run `archetype fit` first, or give the folder with SHAPE.vts files");
+}
+
+int run_evaluate(const Arguments& arguments, const Invocation& invocation) {
+  const Project project = Project::open(arguments.project);
+  bool refused = false;
+  Json json = Json::object();
+  if (!arguments.labels.empty()) {
+    const LabellingEvaluation evaluation = measure_labels(project, arguments.labels, invocation);
+    if (evaluation.cancelled) return exit_code::stopped;
+    refused = !evaluation.refused.empty();
+    if (invocation.json) {
+      json = labelling_json(evaluation);
+    } else {
+      print_report(evaluation);
+    }
   }
-  return evaluation.refused.empty() ? exit_code::done : exit_code::some_refused;
+  if (!arguments.landmarks.empty()) {
+    const LandmarkEvaluation evaluation = measure_landmarks(project, arguments.landmarks, invocation);
+    if (evaluation.cancelled) return exit_code::stopped;
+    refused = refused || !evaluation.refused.empty();
+    if (!arguments.curves.empty()) write_curves(arguments.curves, evaluation);
+    if (invocation.json) {
+      json["landmarks"] = landmark_json(evaluation);
+    } else {
+      if (!arguments.labels.empty()) std::cout << '\n';
+      print_landmark_report(evaluation);
+    }
+  }
+  if (invocation.json) print_json(json);
+  return refused ? exit_code::some_refused : exit_code::done;
 }
 
 }  // namespace
 
 void add_evaluate_command(CLI::App& app, Invocation& invocation) {
-  CLI::App* command = app.add_subcommand("evaluate", "Measure the labels of a project against ground truth");
+  CLI::App* command =
+      app.add_subcommand("evaluate", "Measure labels and correspondences against ground truth");
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("PROJECT", arguments->project, "Project file")->required();
   command->add_option("--labels", arguments->labels, "Folder with SHAPE.seg or SHAPE_labels.txt files")
-      ->type_name("DIR")
-      ->required();
+      ->type_name("DIR");
+  command->add_option("--landmarks", arguments->landmarks, "Folder with SHAPE.vts files")->type_name("DIR");
+  command->add_option("--curves", arguments->curves, "Write the curves of correspondences as CSV")
+      ->type_name("FILE")
+      ->needs("--landmarks");
   add_common_options(*command, invocation);
   add_json_option(*command, invocation);
   command->callback([&invocation, arguments] {
+    if (arguments->labels.empty() && arguments->landmarks.empty()) {
+      throw CLI::RequiredError("--labels DIR or --landmarks DIR");
+    }
     invocation.run = [&invocation, arguments] { return run_evaluate(*arguments, invocation); };
   });
 }

@@ -12,6 +12,7 @@
 #include "core/base/hash.h"
 #include "core/base/random.h"
 #include "core/generate/find_family.h"
+#include "core/geometry/surface_search.h"
 
 namespace archetype {
 
@@ -119,29 +120,6 @@ void cut_into_triangles(Assembly& assembly) {
   assembly.labels = std::move(labels);
 }
 
-// The closest point of a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
-Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a;
-  const Vec3 ac = c - a;
-  const double d1 = ab.dot(p - a);
-  const double d2 = ac.dot(p - a);
-  if (d1 <= 0 && d2 <= 0) return a;
-  const double d3 = ab.dot(p - b);
-  const double d4 = ac.dot(p - b);
-  if (d3 >= 0 && d4 <= d3) return b;
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
-  const double d5 = ab.dot(p - c);
-  const double d6 = ac.dot(p - c);
-  if (d6 >= 0 && d5 <= d6) return c;
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return b + (d4 - d3) / (d4 - d3 + d5 - d6) * (c - b);
-  const double sum = va + vb + vc;
-  return a + vb / sum * ab + vc / sum * ac;
-}
-
 // Families mark places to a few millimetres; the ground truth has them exactly on the surface of their part.
 void snap_to_surface(Assembly& assembly) {
   const Triangulation triangulation = triangulate(assembly.mesh);
@@ -152,12 +130,11 @@ void snap_to_surface(Assembly& assembly) {
       if (assembly.labels[triangulation.faces[t]] != landmark.label) continue;
       const auto& [i, j, k] = triangulation.triangles[t];
       const auto& vertices = assembly.mesh.vertices;
-      const Vec3 q = closest_on_triangle(landmark.position, vertices[i], vertices[j], vertices[k]);
-      const double distance = (q - landmark.position).squaredNorm();
-      if (distance < best) {
-        best = distance;
-        closest = q;
-      }
+      const SurfacePoint near =
+          closest_on_triangle({vertices[i], vertices[j], vertices[k]}, landmark.position);
+      if (near.squared_distance >= best) continue;
+      best = near.squared_distance;
+      closest = near.weights[0] * vertices[i] + near.weights[1] * vertices[j] + near.weights[2] * vertices[k];
     }
     landmark.position = closest;
   }

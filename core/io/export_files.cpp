@@ -2,10 +2,9 @@
 // double, so that the same project gives the same bytes.
 #include "core/io/export_files.h"
 
-#include <array>
 #include <bit>
-#include <charconv>
 
+#include "core/base/number_text.h"
 #include "core/model/part_colours.h"
 
 namespace archetype {
@@ -13,12 +12,6 @@ namespace archetype {
 namespace {
 
 constexpr std::size_t longest_name = 200;  // bytes; file systems take 255, endings included
-
-std::string number(double value) {
-  std::array<char, 32> digits{};
-  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  return {digits.data(), end};
-}
 
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
@@ -28,7 +21,7 @@ std::string field(const std::string& text) {
 }
 
 void append(std::string& row, double value) {
-  row += ',' + number(value);
+  row += ',' + number_text(value);
 }
 
 void append(std::string& row, const Vec3& v) {
@@ -101,7 +94,8 @@ std::string parts_rows(const std::string& template_name, const PartTemplate& par
   for (std::size_t i = 0; i < part_template.parts.size(); ++i) {
     const TemplatePart& part = part_template.parts[i];
     rows += field(template_name) + ',' + std::to_string(i) + ',' + field(part.name) + ',' +
-            std::to_string(part.label) + (part.must_exist ? ",1," : ",0,") + number(part.existence) + '\n';
+            std::to_string(part.label) + (part.must_exist ? ",1," : ",0,") + number_text(part.existence) +
+            '\n';
   }
   return rows;
 }

@@ -71,6 +71,16 @@ std::vector<int> read_named(TextCursor& cursor, std::size_t element_count, std::
   return labels;
 }
 
+// The file of that name if it is right in the folder: names of shapes are not trusted.
+std::optional<std::filesystem::path> find_beside(const std::filesystem::path& folder,
+                                                 const std::string& name) {
+  std::error_code ignored;
+  const std::filesystem::path path = folder / name;
+  if (std::filesystem::path(name).filename() != name) return {};
+  if (!std::filesystem::is_regular_file(path, ignored)) return {};
+  return path;
+}
+
 }  // namespace
 
 std::vector<int> read_labels(const std::filesystem::path& path, std::size_t element_count) {
@@ -89,12 +99,8 @@ std::vector<int> read_labels(const std::filesystem::path& path, std::size_t elem
 
 std::optional<std::filesystem::path> find_labels(const std::filesystem::path& folder,
                                                  const std::string& shape_name) {
-  for (const std::string_view ending : {std::string_view(".seg"), named_ending}) {
-    std::filesystem::path path = folder / (shape_name + std::string(ending));
-    std::error_code ignored;
-    if (path.parent_path() == folder && std::filesystem::is_regular_file(path, ignored)) return path;
-  }
-  return std::nullopt;
+  auto found = find_beside(folder, shape_name + ".seg");
+  return found ? found : find_beside(folder, shape_name + std::string(named_ending));
 }
 
 void write_labels(const std::filesystem::path& path, std::span<const int> labels) {
@@ -102,6 +108,11 @@ void write_labels(const std::filesystem::path& path, std::span<const int> labels
   content.reserve(labels.size() * 3);
   for (const int label : labels) content += std::to_string(label) += '\n';
   replace_file(path, content);
+}
+
+std::optional<std::filesystem::path> find_landmarks(const std::filesystem::path& folder,
+                                                    const std::string& shape_name) {
+  return find_beside(folder, shape_name + ".vts");
 }
 
 std::vector<Landmark> read_landmarks(const std::filesystem::path& path) {

@@ -32,6 +32,9 @@ struct Landmark {
   bool present = false;
   std::array<double, 3> position{};
 };
+// The landmark file of a shape in a folder, SHAPE.vts, or nothing.
+std::optional<std::filesystem::path> find_landmarks(const std::filesystem::path& folder,
+                                                    const std::string& shape_name);
 std::vector<Landmark> read_landmarks(const std::filesystem::path& path);
 
 }  // namespace archetype

@@ -5,8 +5,8 @@
 
 #include "core/base/error.h"
 #include "core/io/labels.h"
-#include "core/io/read_shape.h"
 #include "core/session/ordered_pipeline.h"
+#include "core/session/read_imported.h"
 
 namespace archetype {
 
@@ -37,22 +37,13 @@ void compare(Work& work, const std::filesystem::path& label_folder) {
     return;
   }
   const std::vector<int> truth = read_labels(*label_file, work.shape.element_count, work.label_names);
-  const ShapeFile file = read_shape(work.shape.path);
-  if (file.hash != work.shape.hash || file.mesh.element_count() != work.shape.element_count) {
-    throw InputError(work.shape.path, "", "has changed since it was imported; import it again");
-  }
-  work.overlap = measure_overlap(work.parts, truth, element_areas(file.mesh));
-}
-
-// "labels/" as "labels".
-std::filesystem::path without_separator(const std::filesystem::path& folder) {
-  return folder.has_filename() ? folder : folder.parent_path();
+  work.overlap = measure_overlap(work.parts, truth, element_areas(read_imported(work.shape)));
 }
 
 class Evaluation {
  public:
   Evaluation(const Project& project, const std::filesystem::path& label_folder)
-      : project_(project), label_folder_(without_separator(label_folder)) {
+      : project_(project), label_folder_(label_folder) {
     for (const TemplateRecord& record : project.templates(false)) {
       first_part_[record.id] = static_cast<int>(result_.parts.size());
       for (const TemplatePart& part : record.part_template.parts) {
@@ -135,7 +126,7 @@ class Evaluation {
   }
 
   const Project& project_;
-  const std::filesystem::path label_folder_;
+  const std::filesystem::path& label_folder_;
   std::map<TemplateId, int> first_part_;
   std::map<std::string, int> label_numbers_;
   std::vector<Work> ring_;

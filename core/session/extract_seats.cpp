@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/io/file.h"
 #include "core/session/furniture_catalog.h"
 #include "core/session/zip_archive.h"
@@ -64,11 +65,6 @@ std::array<double, 3> parse_vertex(std::string_view numbers) {
   return vertex;
 }
 
-void append_number(std::string& text, double value) {
-  std::array<char, 32> digits{};
-  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
-}
-
 // The same OBJ with its vertices turned. Normals are turned as well, being vectors.
 std::string turned(std::string_view obj, const std::array<double, 9>& rotation) {
   std::string out;
@@ -81,9 +77,8 @@ std::string turned(std::string_view obj, const std::array<double, 9>& rotation) 
       const std::array<double, 3> v = parse_vertex(line.substr(normal ? 2 : 1));
       out += normal ? "vn" : "v";
       for (int row = 0; row < 3; ++row) {
-        out += ' ';
-        append_number(out,
-                      rotation[3 * row] * v[0] + rotation[3 * row + 1] * v[1] + rotation[3 * row + 2] * v[2]);
+        out += ' ' + number_text(rotation[3 * row] * v[0] + rotation[3 * row + 1] * v[1] +
+                                 rotation[3 * row + 2] * v[2]);
       }
       out += '\n';
     } else {

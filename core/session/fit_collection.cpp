@@ -9,9 +9,9 @@
 #include "core/base/error.h"
 #include "core/evaluation/label_elements.h"
 #include "core/fitting/fit_template.h"
-#include "core/io/read_shape.h"
 #include "core/session/fit_state.h"
 #include "core/session/ordered_pipeline.h"
+#include "core/session/read_imported.h"
 
 namespace archetype {
 
@@ -54,16 +54,6 @@ std::vector<TemplateId> store_request(Project& project, const std::vector<PartTe
   project.set_setting(fit_options_setting, named.dump());
   transaction.commit();
   return ids;
-}
-
-// Throws an Error that says why the elements cannot be labelled.
-std::vector<std::int16_t> label_file(const Work& work, const PartTemplate& part_template,
-                                     const FitOptions& options) {
-  const ShapeFile file = read_shape(work.shape.path);
-  if (file.hash != work.shape.hash || file.mesh.element_count() != work.shape.element_count) {
-    throw InputError(work.shape.path, "", "has changed since it was imported; import it again");
-  }
-  return label_elements(file.mesh, work.samples, part_template, *work.fit, options);
 }
 
 class FitRun {
@@ -121,7 +111,7 @@ class FitRun {
     try {
       if (!work.fit) find_best_fit(work);
       work.cancelled = control_.cancelled();
-      if (!work.cancelled) work.labels = label_file(work, templates_[work.part_template], options_);
+      if (!work.cancelled) label_file(work);
     } catch (const std::exception& error) {
       work.refused = error.what();
     }
@@ -138,6 +128,12 @@ class FitRun {
       work.part_template = t;
     }
     work.fit = std::move(best);
+  }
+
+  // Throws an Error that says why the elements cannot be labelled.
+  void label_file(Work& work) const {
+    work.labels = label_elements(read_imported(work.shape), work.samples, templates_[work.part_template],
+                                 *work.fit, options_);
   }
 
   void take(std::size_t i) {

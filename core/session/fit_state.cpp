@@ -1,9 +1,7 @@
 // Hashes the text of everything that decides a fit.
 #include "core/session/fit_state.h"
 
-#include <array>
-#include <charconv>
-
+#include "core/base/number_text.h"
 #include "core/io/template_file.h"
 
 namespace archetype {
@@ -39,9 +37,7 @@ std::vector<std::pair<std::string, double>> named_options(const FitOptions& opti
 ContentHash fit_state(const std::vector<PartTemplate>& templates, const FitOptions& options) {
   std::string text = "archetype " ARCHETYPE_VERSION "\n";
   for (const auto& [name, value] : named_options(options)) {
-    std::array<char, 32> digits{};
-    char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    text += name + "=" + std::string(digits.data(), end) + "\n";
+    text += name + "=" + number_text(value) + "\n";
   }
   for (const PartTemplate& part_template : templates) text += format_template(part_template);
   return hash_content(std::as_bytes(std::span(text)));

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "core/base/number_text.h"
+#include "core/io/file.h"
+#include "core/io/read_shape.h"
 #include "core/io/template_file.h"
 #include "tests/cli/program.h"
 #include "tests/support/scratch_folder.h"
@@ -69,6 +73,58 @@ TEST_CASE("shapes are imported, fitted, evaluated, exported and described") {
   const auto only = fixture.folder.path() / "only";
   require_run({"export", fixture.project, "--only", "fits,boxes", "--out", only.string()});
   CHECK(folder_content(only).size() == 3);
+}
+
+TEST_CASE("points are mapped from shape to shape and measured against landmarks") {
+  const Fixture fixture;
+  REQUIRE(fixture.fit().exit_code == 0);
+  const std::string landmarks = (fixture.folder.path() / "landmarks").string();
+  const auto curves = fixture.folder.path() / "curves.csv";
+  Finished run = run_archetype(
+      {"evaluate", fixture.project, "--landmarks", landmarks, "--curves", curves.string(), "--json"});
+  CHECK(run.exit_code == 0);
+  const auto report = nlohmann::json::parse(run.out).at("landmarks");
+  CHECK(report.at("all").at("by_diameter").size() == report.at("thresholds").size());
+  CHECK(report.at("shapes").size() == 4);
+  CHECK(report.at("landmarks")[0].at("name") == "seat_front_left");
+  CHECK(report.at("all").at("by_diameter")[50] > 0.5);
+  CHECK(report.at("all").at("by_diagonal")[10] >= report.at("all").at("by_diameter")[10]);
+  const std::string csv = archetype::read_file(curves);
+  CHECK(std::ranges::count(csv, '\n') == 52);
+  run = run_archetype({"evaluate", fixture.project, "--landmarks", landmarks, "--labels", fixture.labels});
+  CHECK(run.exit_code == 0);
+  CHECK(run.out.find("mean over 4 shapes") < run.out.find("By landmark"));
+
+  // To itself, a point of the surface stays where it is.
+  const std::string name = "chair_00001";
+  const archetype::Vec3 vertex = archetype::read_shape(fixture.shapes + "/" + name + ".off").mesh.vertices[0];
+  std::string text = "# two\n";
+  for (const double coordinate : vertex) text += archetype::number_text(coordinate) + ' ';
+  const auto points = fixture.folder.write("points.txt", text + "\n\n0 0 0\n");
+  std::vector<std::string> arguments{"map", fixture.project, "--from",       name, "--to",
+                                     name,  "--points",      points.string()};
+  run = run_archetype(arguments);
+  CHECK(run.exit_code == 0);
+  CHECK(std::ranges::count(run.out, '\n') == 2);
+  std::istringstream line(run.out);
+  for (const double expected : vertex) {
+    double found = 0;
+    line >> found;
+    CHECK(found == doctest::Approx(expected).epsilon(1e-9));
+  }
+  arguments.push_back("--json");
+  CHECK(nlohmann::json::parse(run_archetype(arguments).out).at("points").size() == 2);
+
+  fixture.folder.write("points.txt", "0 0\n");
+  arguments.pop_back();
+  run = run_archetype(arguments);
+  CHECK(run.exit_code == 1);
+  CHECK(run.err.find(points.string() + ", line 1") != std::string::npos);
+  run = run_archetype({"map", fixture.project, "--from", "chair_9", "--to", "chair_00001", "--points", "x"});
+  CHECK(run.exit_code == 1);
+  run = run_archetype({"evaluate", fixture.project});
+  CHECK(run.exit_code == 2);
+  CHECK(run.err.find("--landmarks") != std::string::npos);
 }
 
 TEST_CASE("fit makes the project and imports first; without templates it takes the project's") {

@@ -1,0 +1,220 @@
+// Twice over the shapes: first all landmarks are put into the boxes of their parts, then each shape in turn
+// is the target of all others, so that only one surface per thread is held.
+#include "core/session/evaluate_landmarks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "core/base/error.h"
+#include "core/evaluation/surface_map.h"
+#include "core/io/file.h"
+#include "core/io/labels.h"
+#include "core/session/ordered_pipeline.h"
+#include "core/session/read_imported.h"
+
+namespace archetype {
+
+namespace {
+
+// A shape that takes part.
+struct Marked {
+  ShapeId id = 0;
+  std::string name;
+  TemplateId part_template = 0;
+  std::vector<Landmark> landmarks;
+  std::vector<std::optional<PartPoint>> places;  // by landmark
+};
+
+enum class Outcome { located, without_landmarks, without_labels, refused };
+
+// One shape on its way through.
+struct Work {
+  ShapeRecord shape;
+  ShapeFit fit;
+  std::vector<std::int16_t> labels;
+  Marked marked;
+  Outcome outcome = Outcome::located;
+  std::string reason;  // of a refusal
+  // Of the second pass:
+  std::vector<CorrespondenceCurves> from;  // by source
+  std::vector<CorrespondenceCurves> landmarks;
+  std::uint64_t unmapped = 0;
+};
+
+Vec3 position(const Landmark& landmark) {
+  return {landmark.position[0], landmark.position[1], landmark.position[2]};
+}
+
+// "0 nose" and so on, a line each; other files are not for us.
+std::vector<std::string> read_names(const std::filesystem::path& path) {
+  std::vector<std::string> names;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return names;
+  const std::string content = read_file(path);
+  for (std::size_t at = 0; at < content.size();) {
+    const std::size_t end = std::min(content.find('\n', at), content.size());
+    const std::string line = content.substr(at, end - at);
+    at = end + 1;
+    const std::string number = std::to_string(names.size()) + ' ';
+    if (!line.starts_with(number)) return {};
+    names.push_back(line.substr(number.size()));
+  }
+  return names;
+}
+
+class Evaluation {
+ public:
+  Evaluation(const Project& project, const std::filesystem::path& folder)
+      : project_(project), folder_(folder) {
+    for (TemplateRecord& record : project.templates(false)) {
+      templates_[record.id] = std::move(record.part_template);
+    }
+    result_.landmark_names = read_names(folder / "names.txt");
+  }
+
+  LandmarkEvaluation run(unsigned threads, const JobControl& control) {
+    ring_.resize(pipeline_window(threads));
+    const std::vector<ShapeId> ids = project_.shape_ids();
+    bool all = ordered_pipeline(ids.size(), threads, control, "locating landmarks",
+                                {.prepare = [&](std::size_t i) { load(slot(i) = {}, ids[i]); },
+                                 .compute = [this](std::size_t i) { guarded(slot(i), &Evaluation::locate); },
+                                 .finish = [this](std::size_t i) { take_located(slot(i)); }});
+    for (const Marked& marked : marked_) {
+      result_.shapes.push_back({marked.name, {}, {}});
+      result_.landmarks.resize(std::max(result_.landmarks.size(), marked.landmarks.size()));
+    }
+    all =
+        all && ordered_pipeline(marked_.size(), threads, control, "comparing landmarks",
+                                {.prepare = [&](std::size_t i) { load(slot(i) = {}, marked_[i].id); },
+                                 .compute = [this](std::size_t i) { guarded(slot(i), &Evaluation::compare); },
+                                 .finish = [this](std::size_t i) { take_compared(slot(i), i); }});
+    result_.cancelled = !all;
+    return std::move(result_);
+  }
+
+ private:
+  Work& slot(std::size_t i) { return ring_[i % ring_.size()]; }
+
+  void load(Work& work, ShapeId id) const {
+    work.shape = project_.find_shape(id).value();
+    work.marked.id = id;
+    work.marked.name = work.shape.name;
+    std::optional<FitRecord> fit = project_.fit(id);
+    std::optional<std::vector<std::int16_t>> labels = project_.labels(id);
+    if (!fit || !labels) {
+      work.outcome = Outcome::without_labels;
+      return;
+    }
+    work.marked.part_template = fit->part_template;
+    work.fit = std::move(fit->fit);
+    work.labels = std::move(*labels);
+  }
+
+  void guarded(Work& work, void (Evaluation::*step)(Work&) const) const {
+    if (work.outcome != Outcome::located) return;
+    try {
+      (this->*step)(work);
+    } catch (const std::exception& error) {
+      work.outcome = Outcome::refused;
+      work.reason = error.what();
+    }
+  }
+
+  void locate(Work& work) const {
+    const std::optional<std::filesystem::path> file = find_landmarks(folder_, work.shape.name);
+    if (!file) {
+      work.outcome = Outcome::without_landmarks;
+      return;
+    }
+    work.marked.landmarks = read_landmarks(*file);
+    const PolygonMesh mesh = read_imported(work.shape);
+    const SurfaceToTemplate to_template({mesh, work.shape.frame, work.fit, work.labels});
+    for (const Landmark& landmark : work.marked.landmarks) {
+      work.marked.places.push_back(landmark.present ? to_template.locate(position(landmark)) : std::nullopt);
+    }
+  }
+
+  void take_located(Work& work) {
+    switch (work.outcome) {
+      case Outcome::located:
+        marked_.push_back(std::move(work.marked));
+        break;
+      case Outcome::without_landmarks:
+        result_.without_landmarks.push_back(work.shape.name);
+        break;
+      case Outcome::without_labels:
+        result_.without_labels.push_back(work.shape.name);
+        break;
+      case Outcome::refused:
+        result_.refused.push_back({work.shape.path, work.reason});
+        break;
+    }
+  }
+
+  void compare(Work& work) const {
+    const PolygonMesh mesh = read_imported(work.shape);
+    const PartTemplate& own_template = templates_.at(work.marked.part_template);
+    const TemplateToSurface to_surface({mesh, work.shape.frame, work.fit, work.labels}, own_template);
+    const double diameter = work.shape.radius / work.shape.frame.scale;
+    const double diagonal = 2 * bounds(mesh).half_extent().norm();
+    work.from.resize(marked_.size());
+    work.landmarks.resize(result_.landmarks.size());
+    const auto self = std::ranges::find(marked_, work.marked.id, &Marked::id);
+    for (std::size_t s = 0; s < marked_.size(); ++s) {
+      const Marked& source = marked_[s];
+      if (source.id == self->id) continue;
+      const PartTemplate& their_template = templates_.at(source.part_template);
+      const std::size_t count = std::min(source.landmarks.size(), self->landmarks.size());
+      for (std::size_t i = 0; i < count; ++i) {
+        if (!source.landmarks[i].present || !self->landmarks[i].present) continue;
+        double error = std::numeric_limits<double>::infinity();
+        if (std::optional<PartPoint> place = source.places[i]) {
+          place->part = counterpart(their_template, place->part, own_template);
+          const auto found = place->part < 0 ? std::nullopt : to_surface.find(*place);
+          if (found) error = (*found - position(self->landmarks[i])).norm();
+        }
+        if (std::isinf(error)) ++work.unmapped;
+        work.from[s].by_diameter.add(error / diameter);
+        work.from[s].by_diagonal.add(error / diagonal);
+        work.landmarks[i].by_diameter.add(error / diameter);
+        work.landmarks[i].by_diagonal.add(error / diagonal);
+      }
+    }
+  }
+
+  void take_compared(Work& work, std::size_t target) {
+    if (work.outcome != Outcome::located) {
+      result_.refused.push_back({work.shape.path, work.reason});
+      return;
+    }
+    result_.unmapped += work.unmapped;
+    for (std::size_t s = 0; s < work.from.size(); ++s) {
+      result_.all += work.from[s];
+      result_.shapes[s].from += work.from[s];
+      result_.shapes[target].to += work.from[s];
+      if (marked_[s].part_template == marked_[target].part_template) result_.same_template += work.from[s];
+    }
+    for (std::size_t i = 0; i < work.landmarks.size(); ++i) result_.landmarks[i] += work.landmarks[i];
+  }
+
+  const Project& project_;
+  const std::filesystem::path& folder_;
+  std::map<TemplateId, PartTemplate> templates_;
+  std::vector<Work> ring_;
+  std::vector<Marked> marked_;  // by name
+  LandmarkEvaluation result_;
+};
+
+}  // namespace
+
+LandmarkEvaluation evaluate_landmarks(const Project& project, const std::filesystem::path& folder,
+                                      unsigned threads, const JobControl& control) {
+  if (!std::filesystem::is_directory(folder)) {
+    throw FileError(folder, "is no folder; give the folder that the landmark files are in");
+  }
+  return Evaluation(project, folder).run(threads, control);
+}
+
+}  // namespace archetype
