@@ -22,6 +22,7 @@ constexpr double smallest_shared_share = 0.5;
 // Parts meet in creases: a convex edge counts as hardly bent (Shapira et al. 2008).
 constexpr double convex_angle_factor = 0.08;
 constexpr double smallest_angle = 0.05;
+constexpr double smallest_across = 1e-3;  // of the reach: slivers bend by rounding alone
 // Costs are shares of the whole area in these units; a label costs at most `largest_cost` per area.
 constexpr double cost_scale = 1 << 25;
 constexpr double largest_cost = 15.0;
@@ -75,12 +76,17 @@ std::vector<bool> core_samples(const LabellingGraph& graph, std::span<const std:
 // The cost of a boundary between two faces: its length in units of the root of the area, dear where the
 // surface runs on and cheap in creases.
 LabellingGraph make_face_graph(const FaceAdjacency& adjacency, std::size_t faces, double area,
-                               double smoothness) {
-  const double scale = smoothness * cost_scale / std::sqrt(area);
+                               const FitOptions& options) {
+  const double scale = options.face_smoothness * cost_scale / std::sqrt(area);
+  const double reach = options.crease_reach * std::sqrt(area);
   std::vector<GraphEdge> edges;
   edges.reserve(adjacency.pairs.size());
   for (const FacePair& pair : adjacency.pairs) {
-    const double theta = std::max(pair.angle * (pair.convex ? convex_angle_factor : 1.0), smallest_angle);
+    // A rounded crease is bent a little at each of many edges: what counts is how much the surface bends over
+    // a fixed length, so that fine meshes have creases as coarse ones do.
+    const double edges_in_reach = reach / std::max(pair.across, smallest_across * reach);
+    const double bend = std::min(pair.angle * std::max(1.0, edges_in_reach), std::numbers::pi);
+    const double theta = std::max(bend * (pair.convex ? convex_angle_factor : 1.0), smallest_angle);
     // At least a little everywhere: no boundary is free.
     const double weight = -std::log(theta / std::numbers::pi) + 0.01;
     const auto w = static_cast<std::int32_t>(std::min(std::lround(scale * pair.length * weight), 1L << 26));
@@ -121,7 +127,7 @@ ElementLabeller::ElementLabeller(const PolygonMesh& mesh, const ShapeSamples& sa
   const FaceAdjacency adjacency = find_adjacent_faces(mesh);
   surface_ = adjacency.shared_share >= smallest_shared_share && area > 0;
   if (!surface_) return;
-  faces_ = make_face_graph(adjacency, elements_.size(), area, options.face_smoothness);
+  faces_ = make_face_graph(adjacency, elements_.size(), area, options);
   points_ = make_point_graph(samples, options);
   around_.reserve(samples.size());
   for (const Vec3& point : samples.points) {

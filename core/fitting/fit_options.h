@@ -21,8 +21,9 @@ struct FitOptions {
   double existence_weight = 0.05;  // weight of -log(existence) per part
   int graph_neighbours = 8;        // of each sample in the labelling graph
   double face_smoothness = 0.02;   // weight of boundary lengths when faces are labelled, in roots of the area
-  double face_core = 0.5;     // samples deeper in their part than this share of its depth keep their faces
-  int face_neighbours = 30;   // other faces may take the labels of that many samples around them
+  double crease_reach = 0.08;      // over which the bend of the surface is measured, in roots of the area
+  double face_core = 0.7;     // samples deeper in their part than this share of its depth keep their faces
+  int face_neighbours = 60;   // other faces may take the labels of that many samples around them
   int template_points = 600;  // samples of the template's boxes for E_t->s
 
   std::array<bool, 4> yaws{true, true, true, true};  // candidate quarter turns about up to try

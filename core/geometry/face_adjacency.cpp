@@ -102,7 +102,7 @@ FaceAdjacency find_adjacent_faces(const PolygonMesh& mesh) {
       if (end - i == 2 && bucket[i].face != bucket[i + 1].face) {
         const double length = (mesh.vertices[v] - mesh.vertices[bucket[i].higher]).norm();
         const bool alike = bucket[i].forward != bucket[i + 1].forward;
-        shared.push_back({{bucket[i].face, bucket[i + 1].face, length, 0, false}, alike});
+        shared.push_back({{bucket[i].face, bucket[i + 1].face, length, 0, 0, false}, alike});
         if (alike) components.join(bucket[i].face, bucket[i + 1].face);
       }
       i = end;
@@ -121,6 +121,7 @@ FaceAdjacency find_adjacent_faces(const PolygonMesh& mesh) {
     const Vec3 a = normals[pair.a].normalized();
     const Vec3 b = normals[pair.b].normalized();
     const double cosine = alike ? a.dot(b) : std::abs(a.dot(b));
+    pair.across = (centres[pair.b] - centres[pair.a]).norm();
     pair.angle = std::acos(std::clamp(cosine, -1.0, 1.0));
     const double outward = volume[components.find(pair.a)] < 0 ? -1.0 : 1.0;
     pair.convex = alike && outward * a.dot(centres[pair.b] - centres[pair.a]) <= 0;

@@ -12,6 +12,7 @@ struct FacePair {
   std::uint32_t a;
   std::uint32_t b;
   double length;  // of the shared edge, file units
+  double across;  // between the centres of the faces, file units
   double angle;   // between the two normals, in [0, pi]; taken unsigned where the windings disagree
   bool convex;    // the edge bulges outward; false if that cannot be told
 };
