@@ -13,10 +13,10 @@ struct FitOptions {
   // Distances count in this unit, a share of R, so that 1 is a bad distance as 1 is a bad feature.
   // Differs from the paper: it divides by R itself; terms of its sizes would be lost beside the others.
   double distance_unit = 0.1;
-  double alpha = 0.01;        // weight of the deformation, summed over parts and axes
+  double alpha = 0.005;       // weight of the deformation, summed over parts and axes
   double beta = 0.15;         // weight of smoothness
   double gamma = 0.5;         // weight of features
-  double null_cost = 2.0;     // distance and feature cost of a point without a part
+  double null_cost = 5.0;     // distance and feature cost of a point without a part
   double feature_clip = 9.0;  // squared deviation (in variances, mean over the features) that counts as 1
   double existence_weight = 0.05;  // weight of -log(existence) per part
   int graph_neighbours = 8;        // of each sample in the labelling graph
@@ -29,7 +29,7 @@ struct FitOptions {
   std::array<bool, 4> yaws{true, true, true, true};  // candidate quarter turns about up to try
   int max_alternations = 100;                        // the paper's
   bool drop_parts = true;    // leave out parts that the shape gives no evidence for (part_evidence())
-  double odds_weight = 0.2;  // what the odds of a part's existence count as evidence
+  double odds_weight = 0.1;  // what the odds of a part's existence count as evidence
   ExpansionOptions expansion;
 };
 
