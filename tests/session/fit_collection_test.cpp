@@ -142,7 +142,7 @@ TEST_CASE("evaluation measures what is labelled and lists what is left out") {
   CHECK(evaluation.parts.size() == 6);
   // The template is rough; what matters here is that parts and labels are not mixed up.
   CHECK(evaluation.report.mean.own.by_area > 0.7);
-  CHECK(evaluation.report.mean.best.by_area >= evaluation.report.mean.own.by_area);
+  CHECK(evaluation.report.total.best.by_area >= evaluation.report.total.own.by_area);
 
   chairs.project.clear_fits();
   CHECK(evaluate_labelling(chairs.project, labels, 2, {}).without_labels.size() == 5);
