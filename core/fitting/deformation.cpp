@@ -7,8 +7,6 @@ namespace archetype {
 
 namespace {
 
-constexpr double smallest_half_extent = 0.01;
-
 // Sums of one axis of one part.
 struct Normal {
   double w = 0, wu = 0, wuu = 0, wx = 0, wxu = 0;
@@ -78,11 +76,18 @@ void deformation_step(const MatchedShape& shape, const PartTemplate& part_templa
     }
     const Vec3 mean_position = axes[k] * part.position.mean;
     const Vec3 precision = axes[k].cwiseAbs2() * part.position.stddev.cwiseAbs2().cwiseInverse();
+    // What the prior weighs falls with the deviation: the tangent of its logarithm at the box as it stands
+    // is a parabola that lies above it, so that the step cannot raise the energy.
+    const auto weight = [&](double deviation, double precision_) {
+      return options.alpha * precision_ / (1 + precision_ * deviation * deviation / options.deformation_tail);
+    };
+    const Vec3 deviation = axes[k] * boxes[k].centre - mean_position;
     Vec3 position;
     for (int a = 0; a < 3; ++a) {
       const Normal& n = sums[k][static_cast<std::size_t>(a)];
-      const double p = options.alpha * precision[a];
-      const double s = options.alpha / (part.scale.stddev[a] * part.scale.stddev[a]);
+      const double p = weight(deviation[a], precision[a]);
+      const double s = weight(boxes[k].half_extent[a] - part.scale.mean[a],
+                              1 / (part.scale.stddev[a] * part.scale.stddev[a]));
       const double a11 = n.w + p;
       const double a22 = n.wuu + s;
       const double b1 = n.wx + p * mean_position[a];

@@ -12,6 +12,7 @@
 #include "core/fitting/evidence.h"
 #include "core/fitting/label_costs.h"
 #include "core/fitting/point_graph.h"
+#include "core/fitting/starting_boxes.h"
 #include "core/fitting/template_surface.h"
 
 namespace archetype::test {
@@ -209,16 +210,19 @@ ShapeFit plain_fit(const PartTemplate& given, const ShapeSamples& samples, const
                     sample_template(part_template, options.template_points),
                     make_point_graph(samples, options),
                     options.distance_unit * samples.radius};
-  std::vector<Box> means;
-  for (const TemplatePart& part : part_template.parts) means.push_back(part.mean_box());
+  const std::vector<Box> means = mean_boxes(part_template);
   std::vector<bool> dropped(means.size(), false);
   ShapeFit best;
   best.energy.existence = std::numeric_limits<double>::infinity();
   for (int yaw = 0; yaw < 4; ++yaw) {
     ShapeFit start;
     start.yaw_quarters = yaw;
-    const ShapeFit fit = alternate(plain, start, means, dropped);
-    if (fit.energy.total() < best.energy.total()) best = fit;
+    std::vector<Vec3> turned;
+    for (const Vec3& p : samples.points) turned.push_back(turn_quarters(p, -yaw));
+    for (const std::vector<Box>& boxes : {means, stretched_boxes(part_template, turned)}) {
+      const ShapeFit fit = alternate(plain, start, boxes, dropped);
+      if (fit.energy.total() < best.energy.total()) best = fit;
+    }
   }
   while (options.drop_parts) {
     std::vector<Box> boxes;

@@ -1,0 +1,19 @@
+// Where the boxes of a template stand when a fit begins.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/geometry/box.h"
+#include "core/model/part_template.h"
+
+namespace archetype {
+
+std::vector<Box> mean_boxes(const PartTemplate& part_template);
+
+// The mean boxes stretched along the template's axes until they fill the bounds of the points as they fill
+// their own, by a factor of 3.5 at most. Differs from the paper, which starts from the mean boxes only: those
+// of a chair find no leg of a bench.
+std::vector<Box> stretched_boxes(const PartTemplate& part_template, std::span<const Vec3> points);
+
+}  // namespace archetype
