@@ -13,12 +13,12 @@ struct FitOptions {
   // Distances count in this unit, a share of R, so that 1 is a bad distance as 1 is a bad feature.
   // Differs from the paper: it divides by R itself; terms of its sizes would be lost beside the others.
   double distance_unit = 0.1;
-  double alpha = 0.005;         // weight of the deformation, summed over parts and axes
-  double deformation_tail = 4;  // in variances: deviations beyond it count less and less
-  double beta = 0.15;           // weight of smoothness
-  double gamma = 0.5;           // weight of features
-  double null_cost = 5.0;       // distance and feature cost of a point without a part
-  double feature_clip = 9.0;    // squared deviation (in variances, mean over the features) that counts as 1
+  double alpha = 0.005;          // weight of the deformation, summed over parts and axes
+  double deformation_tail = 16;  // in variances: deviations beyond it count less and less
+  double beta = 0.15;            // weight of smoothness
+  double gamma = 0.5;            // weight of features
+  double null_cost = 5.0;        // distance and feature cost of a point without a part
+  double feature_clip = 9.0;     // squared deviation (in variances, mean over the features) that counts as 1
   double existence_weight = 0.05;  // weight of -log(existence) per part
   int graph_neighbours = 8;        // of each sample in the labelling graph
   double face_smoothness = 0.02;   // weight of boundary lengths when faces are labelled, in roots of the area

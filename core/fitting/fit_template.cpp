@@ -43,6 +43,8 @@ struct Alternation {
   double gain = 1;            // of the last alternation, as a share of the energy
   bool fresh = true;          // not advanced yet since it started or lost a part
   bool ended = false;
+  bool stretched = false;  // at the start
+  double comparable_energy() const { return fit.energy.total() * (stretched ? stretch_handicap : 1); }
   std::vector<ShapeFit> steps;  // if they are wanted: the start and after each alternation
 };
 
@@ -145,6 +147,7 @@ std::vector<Alternation> Fitter::start_all() const {
     for (std::size_t i = 0; i < turned.size(); ++i) turned[i] = turn_quarters(samples_.points[i], -yaw);
     runs.push_back(start(yaw, Vec3::Zero(), mean_boxes(template_), {}));
     runs.push_back(start(yaw, Vec3::Zero(), stretched_boxes(template_, turned), {}));
+    runs.back().stretched = true;
   }
   return runs;
 }
@@ -255,14 +258,14 @@ std::optional<ShapeFit> fit_template(const PartTemplate& part_template, const Sh
     for (int i = 0; i < first_alternations && !run.ended && !control.cancelled(); ++i) advance(run);
   }
   std::stable_sort(runs.begin(), runs.end(), [](const Alternation& a, const Alternation& b) {
-    return a.fit.energy.total() < b.fit.energy.total();
+    return a.comparable_energy() < b.comparable_energy();
   });
   std::array<double, 4> energies;
   energies.fill(std::numeric_limits<double>::infinity());
   Alternation* best = nullptr;
   for (Alternation& run : runs) {
     const auto could_win = [&] {
-      return !best || run.fit.energy.total() * (1 - more_gains * run.gain) < best->fit.energy.total();
+      return !best || run.comparable_energy() * (1 - more_gains * run.gain) < best->comparable_energy();
     };
     while (!run.ended && could_win()) {
       if (control.cancelled()) return std::nullopt;
@@ -270,7 +273,7 @@ std::optional<ShapeFit> fit_template(const PartTemplate& part_template, const Sh
     }
     double& least = energies[static_cast<std::size_t>(run.fit.yaw_quarters)];
     least = std::min(least, run.fit.energy.total());
-    if (!best || run.fit.energy.total() < best->fit.energy.total()) best = &run;
+    if (!best || run.comparable_energy() < best->comparable_energy()) best = &run;
   }
   if (!run_to_end(fitter, *best, options, control, advance)) return std::nullopt;
   if (recording) recording->steps = std::move(best->steps);

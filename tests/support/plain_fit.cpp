@@ -213,16 +213,20 @@ ShapeFit plain_fit(const PartTemplate& given, const ShapeSamples& samples, const
   const std::vector<Box> means = mean_boxes(part_template);
   std::vector<bool> dropped(means.size(), false);
   ShapeFit best;
-  best.energy.existence = std::numeric_limits<double>::infinity();
+  double best_energy = std::numeric_limits<double>::infinity();
   for (int yaw = 0; yaw < 4; ++yaw) {
     ShapeFit start;
     start.yaw_quarters = yaw;
     std::vector<Vec3> turned;
     for (const Vec3& p : samples.points) turned.push_back(turn_quarters(p, -yaw));
-    for (const std::vector<Box>& boxes : {means, stretched_boxes(part_template, turned)}) {
+    const auto try_boxes = [&](const std::vector<Box>& boxes, double handicap) {
       const ShapeFit fit = alternate(plain, start, boxes, dropped);
-      if (fit.energy.total() < best.energy.total()) best = fit;
-    }
+      if (fit.energy.total() * handicap >= best_energy) return;
+      best_energy = fit.energy.total() * handicap;
+      best = fit;
+    };
+    try_boxes(means, 1);
+    try_boxes(stretched_boxes(part_template, turned), stretch_handicap);
   }
   while (options.drop_parts) {
     std::vector<Box> boxes;
