@@ -4,9 +4,11 @@
 #include <doctest/doctest.h>
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/io/template_file.h"
 
 using namespace archetype;
 
@@ -179,4 +181,33 @@ TEST_CASE("Actions on what is not there say so and change nothing") {
   CHECK(history.entries().size() == 1);
   History empty({}, "Start");
   CHECK_THROWS_AS(add_part(empty, some_box()), PreconditionError);
+}
+
+TEST_CASE("Whatever numbers are wanted, the template can be written to a file") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double number : {infinity, -infinity, std::nan(""), 1e300, -1e300}) {
+    CAPTURE(number);
+    History history = history_with_two_parts();
+    const Vec3 wanted(0.5, number, 0.5);
+    Box box{wanted, wanted, Eigen::Quaterniond(number, 0, 0, 1)};
+    set_part_box(history, 0, box);
+    set_position_stddev(history, 0, wanted);
+    set_scale_stddev(history, 0, wanted);
+    set_existence(history, 0, number);
+    duplicate_part(history, 0);
+    mirror_part(history, 0);
+    add_part(history, box);
+    CHECK_NOTHROW(format_template(active(history)));
+  }
+}
+
+TEST_CASE("A template takes as many parts as a file does") {
+  History history = history_with_two_parts();
+  while (active(history).parts.size() < most_template_parts) add_part(history, some_box());
+  CHECK_NOTHROW(format_template(active(history)));
+  const Document full = history.current();
+  CHECK_THROWS_WITH_AS(add_part(history, some_box()), "a template has at most 256 parts", Error);
+  CHECK_THROWS_AS(duplicate_part(history, 0), Error);
+  CHECK_THROWS_AS(mirror_part(history, 0), Error);
+  CHECK(history.current() == full);
 }
