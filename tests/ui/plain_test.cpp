@@ -46,7 +46,7 @@ TEST_CASE("Latency counts every edit until a fit as new as it is on the screen")
 TEST_CASE("Rows are searched and sorted; shapes without a fit come last") {
   std::vector<ShapeRow> rows;
   for (const char* name : {"armchair", "Bench", "chair"})
-    rows.push_back({static_cast<ShapeId>(rows.size()), name, rows.size(), {}});
+    rows.push_back({static_cast<ShapeId>(rows.size()), name, rows.size(), {}, {}});
   for (const std::size_t fitted : {0, 2}) {
     rows[fitted].fit.emplace();
     rows[fitted].fit->energy.features = fitted == 0 ? 0.9 : 0.1;
