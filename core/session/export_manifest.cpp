@@ -41,6 +41,15 @@ Json sampling_json(const Project& project) {
   return list;
 }
 
+// The seed that the shapes were sampled with, or most of them: all that is drawn at random is drawn then. One
+// of an empty project is that of the export.
+std::uint64_t seed_of_samples(const Project& project, std::uint64_t otherwise) {
+  std::map<std::uint64_t, std::size_t> shapes;
+  for (const ShapeRecord& shape : project.shapes()) ++shapes[shape.seed];
+  const auto most = std::ranges::max_element(shapes, {}, [](const auto& entry) { return entry.second; });
+  return most == shapes.end() ? otherwise : most->first;
+}
+
 // Null where a project from elsewhere holds something that is no JSON.
 Json fit_options_json(const Project& project) {
   const std::optional<std::string> text = project.setting(fit_options_setting);
@@ -63,7 +72,7 @@ std::string export_manifest(const Project& project, const ExportOptions& options
   const Json manifest{{"format", "archetype-export"},
                       {"version", 1},
                       {"program", "archetype " ARCHETYPE_VERSION},
-                      {"seed", options.seed},
+                      {"seed", seed_of_samples(project, options.seed)},
                       {"options",
                        {{"exported", exported_json(options)},
                         {"sampling", sampling_json(project)},
