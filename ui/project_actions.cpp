@@ -1,6 +1,7 @@
 #include "ui/project_actions.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "core/base/error.h"
@@ -251,8 +252,11 @@ void open_generated(Studio& studio, const std::string& family, std::size_t count
   options.count = count;
   options.yaw = YawChoice::quarters;
   options.threads = static_cast<unsigned>(studio.settings.threads);
-  const fs::path folder =
-      studio.options.folders.cache / "collections" / (names.name + "-" + std::to_string(count));
+  // Another version of the program may draw other shapes: they get a folder of their own.
+  const std::string description = describe_collection(names.name, options);
+  const std::string version = hash_content(std::as_bytes(std::span(description))).to_hex().substr(0, 8);
+  const fs::path folder = studio.options.folders.cache / "collections" /
+                          (names.name + "-" + std::to_string(count) + "-" + version);
   const std::string one = names.name.substr(0, names.name.size() - 1);  // "chairs" -> "chair"
   open_prepared_folder(studio, folder, "Generated " + names.name, starting_template_path(studio, one),
                        [=](const JobControl& control) {
