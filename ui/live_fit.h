@@ -60,7 +60,6 @@ struct LiveFit {
   LiveFitWorker worker;
   std::uint64_t asked_document = 0;  // of the newest request
   std::uint64_t asked_shape = 0;
-  bool asked_dragging = false;
   std::uint64_t shown_document = 0;  // of the fit that the next frame shows
   bool newly_shown = false;          // the frame being drawn is the first with it
   double fit_milliseconds = 0;       // of the newest result

@@ -22,7 +22,6 @@ std::string unique_template_name(const Document& document, const std::string& na
 
 // Templates of the document. New ones become the active one; names are made unique by a number.
 void add_template(History& history, PartTemplate part_template, const std::string& message);
-void replace_active_template(History& history, PartTemplate part_template, const std::string& message);
 void duplicate_active_template(History& history);
 void remove_active_template(History& history);
 void rename_active_template(History& history, const std::string& name);
@@ -34,7 +33,6 @@ std::size_t duplicate_part(History& history, std::size_t part);
 // Mirrored at the plane x = 0, the plane of symmetry of most things that stand upright.
 std::size_t mirror_part(History& history, std::size_t part);
 void remove_part(History& history, std::size_t part);
-void move_part_in_list(History& history, std::size_t from, std::size_t to);
 
 void rename_part(History& history, std::size_t part, const std::string& name);
 void set_part_label(History& history, std::size_t part, int label, Stage stage = Stage::done);  // >= 0

@@ -128,16 +128,6 @@ void remove_part(History& history, std::size_t part) {
   put(history, std::move(changed), Stage::done, message);
 }
 
-void move_part_in_list(History& history, std::size_t from, std::size_t to) {
-  PartTemplate changed = active_copy(history);
-  TemplatePart moved = part_of(changed, from);
-  part_of(changed, to);
-  const std::string message = "Reorder " + moved.name;
-  changed.parts.erase(changed.parts.begin() + static_cast<std::ptrdiff_t>(from));
-  changed.parts.insert(changed.parts.begin() + static_cast<std::ptrdiff_t>(to), std::move(moved));
-  put(history, std::move(changed), Stage::done, message);
-}
-
 void rename_part(History& history, std::size_t part, const std::string& name) {
   PartTemplate changed = active_copy(history);
   const std::string message = "Rename " + part_of(changed, part).name + " to " + name;

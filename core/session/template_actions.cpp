@@ -44,13 +44,6 @@ void add_template(History& history, PartTemplate part_template, const std::strin
   history.commit(std::move(document), message);
 }
 
-void replace_active_template(History& history, PartTemplate part_template, const std::string& message) {
-  active_of(history.committed());
-  part_template.name =
-      unique_template_name(history.committed(), part_template.name, history.committed().active);
-  commit_active(history, std::move(part_template), message);
-}
-
 void duplicate_active_template(History& history) {
   PartTemplate copy = active_of(history.committed());
   const std::string message = "Duplicate template " + copy.name;

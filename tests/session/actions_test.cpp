@@ -65,10 +65,6 @@ std::vector<Action> all_actions() {
   return {
       {"add_template",
        [](History& h) { add_template(h, {.name = "chair", .parts = {}, .extra_json = {}}, "New"); }},
-      {"replace_active_template",
-       [](History& h) {
-         replace_active_template(h, {.name = "x", .parts = {}, .extra_json = {}}, "Replace");
-       }},
       {"duplicate_active_template", [](History& h) { duplicate_active_template(h); }},
       {"remove_active_template", [](History& h) { remove_active_template(h); }},
       {"rename_active_template", [](History& h) { rename_active_template(h, "stool"); }},
@@ -77,7 +73,6 @@ std::vector<Action> all_actions() {
       {"duplicate_part", [](History& h) { duplicate_part(h, 1); }},
       {"mirror_part", [](History& h) { mirror_part(h, 1); }},
       {"remove_part", [](History& h) { remove_part(h, 0); }},
-      {"move_part_in_list", [](History& h) { move_part_in_list(h, 0, 1); }},
       {"rename_part", [](History& h) { rename_part(h, 0, "cushion"); }},
       {"set_part_label", [](History& h) { set_part_label(h, 1, 7); }},
       {"set_must_exist", [](History& h) { set_must_exist(h, 0, true); }},
