@@ -41,7 +41,8 @@ class LiveFitter {
   std::optional<LiveFitResult> run(const LiveFitRequest& request, const JobControl& control);
 
  private:
-  std::vector<std::int16_t> label(const LiveFitRequest& request, const ShapeFit& fit);
+  std::vector<std::int16_t> label(const LiveFitRequest& request, const ShapeFit& fit,
+                                  const JobControl& control);
 
   std::shared_ptr<const PolygonMesh> mesh_;  // of the labeller, as are the samples
   std::shared_ptr<const ShapeSamples> samples_;

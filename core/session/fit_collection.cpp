@@ -132,7 +132,10 @@ class FitRun {
   // Throws an Error that says why the elements cannot be labelled.
   void label_file(Work& work) const {
     work.labels = label_elements(read_imported(work.shape), work.samples, templates_[work.part_template],
-                                 *work.fit, options_);
+                                 *work.fit, options_, stop_only_);
+    if (!control_.cancelled()) return;
+    work.labels.reset();
+    work.cancelled = true;
   }
 
   void take(std::size_t i) {
