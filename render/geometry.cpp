@@ -146,7 +146,6 @@ MeshGeometry make_mesh_geometry(const PolygonMesh& mesh, const ShapeFrame& frame
   }
   smooth_normals(triangulation, vertices, crease, geometry);
   geometry.faces = std::move(triangulation.faces);
-  geometry.tree = TriangleTree(geometry.positions);
   set_bounds(geometry.positions, geometry.low, geometry.high);
   return geometry;
 }

@@ -25,8 +25,9 @@ struct MeshGeometry {
   std::vector<glm::u8vec4> edge_distances;
   std::vector<std::uint32_t> faces;  // per triangle, the face of the file that it is a part of
   std::size_t face_count = 0;        // of the file
-  TriangleTree tree;                 // over `positions`
-  glm::vec3 low{0}, high{0};         // bounds
+  TriangleTree
+      tree;  // over `positions`; empty unless surfaces are picked, since it costs as much as the rest
+  glm::vec3 low{0}, high{0};  // bounds
 
   std::size_t triangle_count() const { return faces.size(); }
 };

@@ -19,7 +19,8 @@ struct Pick {
   glm::dvec3 position{0};   // in the scene
 };
 
-// The nearest face of the file, or point whose splat covers the pixel (boxes do not count). Logarithmic in
+// The nearest face of the file, or point whose splat covers the pixel (boxes do not count). Meshes need their
+// tree: geometry.tree = TriangleTree(geometry.positions). Logarithmic in
 // the faces, linear in the points: about 2 ms for 100,000.
 Pick pick_surface(const Scene& scene, const Camera& camera, const Viewport& viewport,
                   const glm::dvec2& pixel);

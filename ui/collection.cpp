@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/session/actions.h"
 #include "core/session/document_text.h"
 
 namespace archetype {
@@ -36,7 +37,8 @@ std::filesystem::path untitled_project_path(const std::filesystem::path& data_fo
 CollectionRows read_rows(const Project& project) {
   CollectionRows content;
   for (ShapeRecord& record : project.shapes())
-    content.rows.push_back({record.id, std::move(record.name), record.element_count, std::nullopt});
+    content.rows.push_back(
+        {record.id, std::move(record.name), record.element_count, record.hash, std::nullopt});
   // Fits are ordered as the shapes are, but not every shape has one.
   std::size_t row = 0;
   for (const FitSummary& fit : project.fits()) {
@@ -50,16 +52,27 @@ CollectionRows read_rows(const Project& project) {
 std::optional<CollectionRows> reread_rows(const std::filesystem::path& project, const JobControl&) {
   try {
     return read_rows(Project::open(project));
-  } catch (const Error&) {
+  } catch (const std::exception&) {
     return std::nullopt;  // the job that is writing it says what is wrong
   }
 }
 
 Document read_document(const Project& project) {
-  if (const auto text = project.setting(document_setting)) return parse_document(*text, project.path());
+  Document stored;
+  if (const auto text = project.setting(document_setting)) {
+    stored = parse_document(*text, project.path());
+  } else {
+    for (TemplateRecord& record : project.templates())
+      stored.templates.push_back(std::make_shared<const PartTemplate>(std::move(record.part_template)));
+  }
+  // Two of one name, as other programs may write them, could not be told apart.
   Document document;
-  for (TemplateRecord& record : project.templates())
-    document.templates.push_back(std::make_shared<const PartTemplate>(std::move(record.part_template)));
+  document.active = stored.active;
+  for (const auto& part_template : stored.templates) {
+    PartTemplate named = *part_template;
+    named.name = unique_template_name(document, named.name, document.templates.size());
+    document.templates.push_back(std::make_shared<const PartTemplate>(std::move(named)));
+  }
   return document;
 }
 

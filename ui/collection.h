@@ -19,6 +19,7 @@ struct ShapeRow {
   ShapeId id = 0;
   std::string name;
   std::size_t element_count = 0;
+  ContentHash hash;  // of the file, when it was imported
   std::optional<FitSummary> fit;
 };
 

@@ -72,7 +72,7 @@ void draw_picture(Studio& studio, const ShapeRow& row, ImVec2 low, float side) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float rounding = 6 * studio.fonts.scale;
   const ImVec2 high(low.x + side, low.y + side);
-  if (const std::uint32_t texture = studio.thumbnails.use(row.id, thumbnail_stamp(row))) {
+  if (const std::uint32_t texture = studio.thumbnails.use(wanted_thumbnail(row))) {
     // Rows of pictures run from the top, as Dear ImGui's textures do.
     draw->AddImageRounded(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture)), low, high,
                           {0, 0}, {1, 1}, IM_COL32_WHITE, rounding);

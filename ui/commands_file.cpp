@@ -34,20 +34,32 @@ void add_shapes_command(Studio& studio, Arguments arguments) {
     add_shapes(studio, {text_argument(arguments, 0, "a file or folder")});
 }
 
+// A copy of half an import or fit, with the rest going into the file that it was made of, helps nobody.
+std::string needs_quiet_project(const Studio& studio) {
+  if (std::string reason = needs_collection(studio); !reason.empty()) return reason;
+  return is_written(studio, studio.collection.path) ? "a job writes to the project; wait for it or stop it"
+                                                    : "";
+}
+
 void save_as_command(Studio& studio, Arguments arguments) {
   if (arguments.empty())
-    browse(studio,
-           {.command = "save-as", .title = "Save the project as", .saving = true, .ending = ".archetype"});
+    browse(studio, {.command = "save-as",
+                    .title = "Save the project as",
+                    .saving = true,
+                    .replaces = false,
+                    .ending = ".archetype"});
   else
     save_project_as(studio, text_argument(arguments, 0, "a path"));
 }
 
 // Everything is saved as it is made; who presses Ctrl+S wants to be sure, or wants the project elsewhere.
 void save_command(Studio& studio, Arguments) {
-  if (studio.collection.untitled)
+  if (studio.collection.untitled) {
     save_as_command(studio, {});
-  else
-    say(studio, Severity::note, studio.collection.title + " is saved: every change is, as it is made");
+    return;
+  }
+  save_soon(studio);
+  say(studio, Severity::note, studio.collection.title + " is saved: every change is, as it is made");
 }
 
 void generate_command(Studio& studio, Arguments arguments) {
@@ -141,7 +153,7 @@ void add_file_commands(std::vector<Command>& commands) {
                        .key = "Ctrl+Shift+S",
                        .arguments = "[FILE]",
                        .run = save_as_command,
-                       .why_not = needs_collection},
+                       .why_not = needs_quiet_project},
                       {.name = "picture",
                        .title = "Picture of the window",
                        .menu = "File",

@@ -14,6 +14,7 @@ namespace {
 std::string needs_shapes_and_template(const Studio& studio) {
   if (std::string reason = needs_collection(studio); !reason.empty()) return reason;
   if (studio.collection.rows().empty()) return "the collection has no shapes yet";
+  if (is_fitted(studio, studio.collection.path)) return "its shapes are being fitted; stop that job first";
   const PartTemplate* active = studio.history.committed().active_template();
   return active && !active->parts.empty() ? "" : "make or load a template with at least one part first";
 }

@@ -46,6 +46,12 @@ void delete_command(Studio& studio, Arguments) {
   studio.ui.part.reset();
 }
 
+// What is dragged is the selected part, until the mouse lets go of it.
+std::string needs_no_drag(const Studio& studio) {
+  if (std::string reason = needs_template(studio); !reason.empty()) return reason;
+  return studio.history.has_preview() ? "let go of what you drag first" : "";
+}
+
 void select_command(Studio& studio, Arguments arguments) {
   const std::string name = text_argument(arguments, 0, "the name of a part");
   for (std::size_t i = 0; i < active(studio).parts.size(); ++i)
@@ -151,7 +157,7 @@ void add_part_commands(std::vector<Command>& commands) {
                                        .menu = "Part",
                                        .key = "Tab",
                                        .run = next_command,
-                                       .why_not = needs_template,
+                                       .why_not = needs_no_drag,
                                        .separator = true},
                                       {.name = "must-exist",
                                        .title = "Must exist",
@@ -164,7 +170,7 @@ void add_part_commands(std::vector<Command>& commands) {
                                        .title = "Select a part",
                                        .arguments = "NAME",
                                        .run = select_command,
-                                       .why_not = needs_template},
+                                       .why_not = needs_no_drag},
                                       {.name = "rename-part",
                                        .title = "Rename the part",
                                        .arguments = "NAME",

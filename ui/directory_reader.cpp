@@ -22,10 +22,7 @@ std::optional<DirectoryListing> list_directory(const std::filesystem::path& fold
       break;
     }
     std::error_code none;
-    DirectoryEntry read{name, entry->is_directory(none), 0};
-    if (!read.folder && entry->is_regular_file(none)) read.bytes = entry->file_size(none);
-    if (none) read.bytes = 0;
-    listing.entries.push_back(std::move(read));
+    listing.entries.push_back({name, entry->is_directory(none)});
   }
   if (error) listing.problem = folder.string() + ": " + error.message();
   std::sort(listing.entries.begin(), listing.entries.end(),

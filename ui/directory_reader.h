@@ -14,7 +14,6 @@ namespace archetype {
 struct DirectoryEntry {
   std::string name;
   bool folder = false;
-  std::uint64_t bytes = 0;
 };
 
 struct DirectoryListing {

@@ -47,7 +47,7 @@ void finish(Studio& studio) {
     go_to(studio, path);
     return;
   }
-  if (state.wanted.saving && !state.asked_to_replace && fs::exists(path, none)) {
+  if (state.wanted.saving && state.wanted.replaces && !state.asked_to_replace && fs::exists(path, none)) {
     state.asked_to_replace = true;
     return;
   }

@@ -2,6 +2,7 @@
 
 #include <imgui_impl_opengl3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/vec4.hpp>
 
@@ -27,7 +28,7 @@ ImGuiSession::~ImGuiSession() {
 
 void ImGuiSession::follow_settings(Studio& studio, float screen_scale) {
   const auto own_scale = static_cast<float>(studio.settings.ui_scale);
-  const float scale = own_scale > 0 ? own_scale : screen_scale;
+  const float scale = std::clamp(own_scale > 0 ? own_scale : screen_scale, 0.5F, 4.0F);
   const bool other_scale = !studio.fonts.regular || std::abs(studio.fonts.scale - scale) > 0.01f;
   if (!studio.wanted_fonts && !other_scale) return;
   studio.wanted_fonts = false;

@@ -41,13 +41,18 @@ std::optional<ShapeFit> fit_at_any_yaw(const LiveFitRequest& request, const JobC
 
 }  // namespace
 
-std::vector<std::int16_t> LiveFitter::label(const LiveFitRequest& request, const ShapeFit& fit) {
+std::vector<std::int16_t> LiveFitter::label(const LiveFitRequest& request, const ShapeFit& fit,
+                                            const JobControl& control) {
   if (!labeller_ || mesh_ != request.mesh || samples_ != request.samples) {
-    labeller_.emplace(*request.mesh, *request.samples, request.options);
+    labeller_.emplace(*request.mesh, *request.samples, request.options, control);
     mesh_ = request.mesh;
     samples_ = request.samples;
   }
-  return labeller_->label(*request.part_template, fit);
+  if (control.cancelled()) {
+    labeller_.reset();  // it may be half made
+    return {};
+  }
+  return labeller_->label(*request.part_template, fit, control);
 }
 
 std::optional<LiveFitResult> LiveFitter::run(const LiveFitRequest& request, const JobControl& control) {
@@ -66,7 +71,7 @@ std::optional<LiveFitResult> LiveFitter::run(const LiveFitRequest& request, cons
 
     const Clock::time_point labelling = Clock::now();
     ViewFit view{request.part_template, std::move(*fit), {}};
-    if (request.mesh) view.element_labels = label(request, view.fit);
+    if (request.mesh) view.element_labels = label(request, view.fit, control);
     result.label_milliseconds = milliseconds_since(labelling);
     result.fit = std::make_shared<const ViewFit>(std::move(view));
   } catch (const std::exception& error) {

@@ -41,7 +41,8 @@ class LiveFitter {
   std::optional<LiveFitResult> run(const LiveFitRequest& request, const JobControl& control);
 
  private:
-  std::vector<std::int16_t> label(const LiveFitRequest& request, const ShapeFit& fit);
+  std::vector<std::int16_t> label(const LiveFitRequest& request, const ShapeFit& fit,
+                                  const JobControl& control);
 
   std::shared_ptr<const PolygonMesh> mesh_;  // of the labeller, as are the samples
   std::shared_ptr<const ShapeSamples> samples_;
@@ -60,7 +61,6 @@ struct LiveFit {
   LiveFitWorker worker;
   std::uint64_t asked_document = 0;  // of the newest request
   std::uint64_t asked_shape = 0;
-  bool asked_dragging = false;
   std::uint64_t shown_document = 0;  // of the fit that the next frame shows
   bool newly_shown = false;          // the frame being drawn is the first with it
   double fit_milliseconds = 0;       // of the newest result

@@ -3,7 +3,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include <array>
+#include <algorithm>
 #include <functional>
 
 #include "core/session/actions.h"
@@ -55,11 +55,9 @@ void name_row(Studio& studio, std::size_t part, const TemplatePart& shown) {
   row_label(studio, "Name", nullptr);
   std::string name = shown.name;
   ImGui::SetNextItemWidth(-1);
-  ImGui::PushID(static_cast<int>(part));  // the field starts anew with each part
   ImGui::InputText("##name", &name);
   mark_target(studio, "field:Name");
   const bool renamed = ImGui::IsItemDeactivatedAfterEdit() && !name.empty();
-  ImGui::PopID();
   if (renamed) rename_part(studio.history, part, name);
 }
 
@@ -67,11 +65,13 @@ void label_row(Studio& studio, std::size_t part, const TemplatePart& shown) {
   row_label(studio, "Label", "The number written to label files. Parts may share one: four legs, one label.");
   int label = shown.label;
   ImGui::SetNextItemWidth(86 * studio.fonts.scale);
-  ImGui::PushID(static_cast<int>(part));
   const bool changed = ImGui::InputInt("##label", &label);
   mark_target(studio, "field:Label");
-  ImGui::PopID();
-  if (changed && label >= 0) set_part_label(studio.history, part, label);
+  label = std::max(label, 0);
+  if (ImGui::IsItemDeactivatedAfterEdit())
+    set_part_label(studio.history, part, label, Stage::done);
+  else if (changed)
+    set_part_label(studio.history, part, label, Stage::live);
   ImGui::SameLine(0, 14 * studio.fonts.scale);
   bool must_exist = shown.must_exist;
   if (ImGui::Checkbox("Must exist", &must_exist)) set_must_exist(studio.history, part, must_exist);
@@ -134,6 +134,7 @@ void draw_part_panel(Studio& studio) {
   const std::size_t part = *studio.ui.part;
   const TemplatePart& shown = active->parts[part];
   section_title(studio, "Part");
+  ImGui::PushID(static_cast<int>(part));  // every field starts anew with each part
   name_row(studio, part, shown);
   label_row(studio, part, shown);
   existence_row(studio, part, shown);
@@ -145,6 +146,7 @@ void draw_part_panel(Studio& studio) {
              });
   vector_row(studio, "± size", "Standard deviation of the half extents.", shown.scale.stddev, speed, "%.3f",
              [&](const Vec3& stddev, Stage stage) { set_scale_stddev(studio.history, part, stddev, stage); });
+  ImGui::PopID();
 }
 
 }  // namespace archetype

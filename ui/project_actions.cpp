@@ -1,6 +1,7 @@
 #include "ui/project_actions.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "core/base/error.h"
@@ -31,6 +32,7 @@ struct OpenedProject {
   bool untitled = false;
   CollectionRows content;
   Document document;
+  bool document_is_stored = true;  // it is the one in the file
   std::vector<Credit> credits;
 };
 
@@ -46,16 +48,23 @@ OpenedProject read_project(const fs::path& path, const std::string& title) {
 }
 
 void put_into_view(Studio& studio, OpenedProject opened) {
+  save_soon(studio);
+  // Templates that were made before anything was open come along.
+  if (opened.document.templates.empty() && !studio.collection.open()) {
+    opened.document = studio.history.committed();
+    opened.document_is_stored = opened.document.templates.empty();
+  }
+  studio.rows_reader.cancel();  // what it reads is of the project before
   studio.collection.path = std::move(opened.path);
   studio.collection.title = std::move(opened.title);
   studio.collection.untitled = opened.untitled;
   studio.collection.content = std::move(opened.content);
   ++studio.collection.revision;
   studio.credits = std::move(opened.credits);
-  // Templates that were made before anything was open come along.
-  if (opened.document.templates.empty()) opened.document = studio.history.committed();
   studio.history = History(std::move(opened.document), "Open " + studio.collection.title);
-  studio.edited_revision = studio.saved_revision = studio.history.revision();
+  studio.autosave.edited_revision = studio.history.revision();
+  studio.autosave.saved_revision.reset();
+  if (opened.document_is_stored) studio.autosave.saved_revision = studio.history.revision();
   studio.ui.part.reset();
   studio.ui.grid = {};
   show_shape(studio, std::nullopt);
@@ -75,21 +84,25 @@ void start_import(Studio& studio, std::vector<fs::path> paths, bool fit_then = f
   ImportOptions options;
   options.threads = static_cast<unsigned>(studio.settings.threads);
   const std::string title = "Import " + paths.front().filename().string();
-  studio.jobs.start(
-      title,
-      [&studio, project_path, paths = std::move(paths), options,
-       fit_then](const JobControl& control) -> Jobs::Apply {
-        Project project = Project::open(project_path);
-        ImportReport report = import_shapes(project, paths, options, control);
-        return [&studio, project_path, fit_then, report = std::move(report)] {
-          warn_of_refused(studio, report.refused);
-          for (const std::string& warning : report.warnings) studio.messages.note(warning);
-          if (report.imported > 0 || !report.refused.empty()) say(studio, Severity::note, summary(report));
-          const bool still_open = studio.collection.path == project_path;
-          if (fit_then && !report.cancelled && still_open && studio.history.committed().active_template())
-            fit_all(studio);
-        };
-      });
+  const JobId job = studio.jobs.start(title,
+                                      [&studio, project_path, paths = std::move(paths), options,
+                                       fit_then](const JobControl& control) -> Jobs::Apply {
+                                        Project project = Project::open(project_path);
+                                        ImportReport report = import_shapes(project, paths, options, control);
+                                        return [&studio, project_path, fit_then, report = std::move(report)] {
+                                          warn_of_refused(studio, report.refused);
+                                          for (const std::string& warning : report.warnings)
+                                            studio.messages.note(warning);
+                                          if (report.imported > 0 || !report.refused.empty())
+                                            say(studio, Severity::note, summary(report));
+                                          const bool still_open = studio.collection.path == project_path;
+                                          if (fit_then && !report.cancelled && still_open &&
+                                              !is_fitted(studio, project_path) &&
+                                              studio.history.committed().active_template())
+                                            fit_all(studio);
+                                        };
+                                      });
+  studio.writers.push_back({job, project_path, false});
 }
 
 // Prepares the folder (unpacks or generates it, say) beside the window, then shows its project and imports
@@ -107,9 +120,11 @@ void open_prepared_folder(Studio& studio, const fs::path& folder, const std::str
                       OpenedProject opened = read_project(path, title);
                       opened.untitled = true;
                       const bool first_time = opened.document.templates.empty() && !starting_template.empty();
-                      if (first_time)
+                      if (first_time) {
                         opened.document.templates.push_back(
                             std::make_shared<const PartTemplate>(read_template(starting_template)));
+                        opened.document_is_stored = false;
+                      }
                       return [&studio, folder, first_time, opened = std::move(opened)]() mutable {
                         put_into_view(studio, std::move(opened));
                         start_import(studio, {folder}, first_time);
@@ -118,6 +133,15 @@ void open_prepared_folder(Studio& studio, const fs::path& folder, const std::str
 }
 
 }  // namespace
+
+bool is_written(const Studio& studio, const fs::path& project) {
+  return std::ranges::find(studio.writers, project, &ProjectWriter::project) != studio.writers.end();
+}
+
+bool is_fitted(const Studio& studio, const fs::path& project) {
+  return std::ranges::any_of(
+      studio.writers, [&](const ProjectWriter& writer) { return writer.fits && writer.project == project; });
+}
 
 void open_folder(Studio& studio, const fs::path& folder) {
   const fs::path absolute = fs::absolute(folder).lexically_normal();
@@ -170,17 +194,25 @@ void save_project_as(Studio& studio, const fs::path& wanted) {
   if (path.extension() != ".archetype") path += ".archetype";
   if (fs::exists(path)) throw FileError(path, "exists already; choose another name");
   const fs::path from = studio.collection.path;
+  const std::uint64_t revision = studio.history.revision();
   studio.jobs.start(
       "Save as " + path.filename().string(),
-      [&studio, from, path, document = studio.history.committed()](const JobControl& control) -> Jobs::Apply {
-        if (const auto problem = save_document({from, document}, control); problem && !problem->empty())
-          throw Error(*problem);
+      [&studio, from, path, revision,
+       document = studio.history.committed()](const JobControl& control) -> Jobs::Apply {
         Project::open(from).copy_to(path);
-        return [&studio, path] {
+        // What is newest may not have come to the file that was copied.
+        if (const auto problem = save_document({path, document}, control); problem && !problem->empty())
+          throw Error(*problem);
+        return [&studio, from, path, revision] {
+          remember_recent(studio.settings, path);
+          if (studio.collection.path != from || is_written(studio, from)) {
+            say(studio, Severity::note, "A copy was saved as " + path.string());
+            return;
+          }
           studio.collection.path = path;
           studio.collection.title = path.stem().string();
           studio.collection.untitled = false;
-          remember_recent(studio.settings, path);
+          studio.autosave.saved_revision = revision;  // edits since then are still to come into the copy
           say(studio, Severity::note, "Saved as " + path.string());
         };
       });
@@ -190,7 +222,7 @@ void fit_all(Studio& studio) {
   const PartTemplate part_template = *studio.history.committed().active_template();
   const fs::path path = studio.collection.path;
   const auto threads = static_cast<unsigned>(studio.settings.threads);
-  studio.jobs.start(
+  const JobId job = studio.jobs.start(
       "Fit " + part_template.name + " to all shapes",
       [&studio, part_template, path, threads](const JobControl& control) -> Jobs::Apply {
         Project project = Project::open(path);
@@ -203,6 +235,7 @@ void fit_all(Studio& studio) {
           say(studio, Severity::note, text + (report.cancelled ? "; stopped, fit again to go on" : ""));
         };
       });
+  studio.writers.push_back({job, path, true});
 }
 
 void open_seats(Studio& studio) {
@@ -219,8 +252,11 @@ void open_generated(Studio& studio, const std::string& family, std::size_t count
   options.count = count;
   options.yaw = YawChoice::quarters;
   options.threads = static_cast<unsigned>(studio.settings.threads);
-  const fs::path folder =
-      studio.options.folders.cache / "collections" / (names.name + "-" + std::to_string(count));
+  // Another version of the program may draw other shapes: they get a folder of their own.
+  const std::string description = describe_collection(names.name, options);
+  const std::string version = hash_content(std::as_bytes(std::span(description))).to_hex().substr(0, 8);
+  const fs::path folder = studio.options.folders.cache / "collections" /
+                          (names.name + "-" + std::to_string(count) + "-" + version);
   const std::string one = names.name.substr(0, names.name.size() - 1);  // "chairs" -> "chair"
   open_prepared_folder(studio, folder, "Generated " + names.name, starting_template_path(studio, one),
                        [=](const JobControl& control) {

@@ -21,7 +21,12 @@ void open_folder(Studio& studio, const std::filesystem::path& folder);
 void open_project(Studio& studio, const std::filesystem::path& path);
 void add_shapes(Studio& studio, const std::vector<std::filesystem::path>& paths);
 
-// Copies the project; the copy is the one that is worked on from then on.
+// Whether a job writes shapes or fits to the project, and whether it is one that fits.
+bool is_written(const Studio& studio, const std::filesystem::path& project);
+bool is_fitted(const Studio& studio, const std::filesystem::path& project);
+
+// Copies the project; the copy is the one that is worked on from then on, unless another project has come
+// into view meanwhile or a job writes to the one that was copied.
 void save_project_as(Studio& studio, const std::filesystem::path& path);
 
 // The active template on every shape; results come into the grid as they are made.

@@ -78,10 +78,11 @@ void ask_for_fit(Studio& studio) {
 
 // The edit came in with the events that were handled just before this frame.
 void note_edit(Studio& studio) {
-  if (studio.history.revision() == studio.edited_revision) return;
-  studio.edited_revision = studio.history.revision();
-  studio.edited_at = Clock::now();
-  if (studio.shape.samples) studio.latency.edited(studio.edited_revision, studio.frame_start);
+  Autosave& saving = studio.autosave;
+  if (studio.history.revision() == saving.edited_revision) return;
+  saving.edited_revision = studio.history.revision();
+  saving.edited_at = Clock::now();
+  if (studio.shape.samples) studio.latency.edited(saving.edited_revision, studio.frame_start);
 }
 
 void keep_selection_valid(Studio& studio) {
@@ -93,6 +94,24 @@ Navigation parse_navigation(const std::string& name) {
   return name == "blender" ? Navigation::blender : name == "maya" ? Navigation::maya : Navigation::archetype;
 }
 
+// The file of the shape in view was imported again because it has changed.
+void follow_changed_file(Studio& studio) {
+  const std::optional<ShapeRecord>& shown = studio.shape.record;
+  if (!shown || studio.ui.shape != shown->id || !studio.shape_loader.idle()) return;
+  const std::optional<std::size_t> row = find_row(studio.collection, shown->id);
+  if (row && studio.collection.rows()[*row].hash != shown->hash)
+    studio.shape_loader.request({studio.collection.path, shown->id}, true);
+}
+
+// What a worker could not do, and no result says.
+void tell_problems(Studio& studio) {
+  for (const std::string& problem :
+       {studio.shape_loader.take_problem(), studio.live_fit.worker.take_problem(),
+        studio.directory_reader.take_problem(), studio.viewport.coarse_worker.take_problem(),
+        studio.thumbnails.take_problem()})
+    if (!problem.empty()) say(studio, Severity::error, problem);
+}
+
 // While something writes to the project, its rows are read anew twice a second.
 void follow_rows(Studio& studio) {
   if (std::optional<CollectionRows> rows = studio.rows_reader.poll()) {
@@ -100,22 +119,12 @@ void follow_rows(Studio& studio) {
     ++studio.collection.revision;
     if (!studio.ui.shape && !studio.collection.rows().empty())
       show_shape(studio, studio.collection.rows()[0].id);
+    follow_changed_file(studio);
   }
   if (!studio.collection.open() || studio.jobs.idle()) return;
   if (Clock::now() - studio.rows_asked_at < std::chrono::milliseconds(500)) return;
   studio.rows_asked_at = Clock::now();
   studio.rows_reader.request(studio.collection.path, false);
-}
-
-// What was edited is in the project file a second after the last edit.
-void autosave(Studio& studio) {
-  if (std::optional<std::string> problem = studio.document_saver.poll(); problem && !problem->empty())
-    say(studio, Severity::error, *problem);
-  if (!studio.collection.open() || studio.history.has_preview()) return;
-  if (studio.saved_revision == studio.history.revision()) return;
-  if (Clock::now() - studio.edited_at < std::chrono::seconds(1)) return;
-  studio.saved_revision = studio.history.revision();
-  studio.document_saver.request({studio.collection.path, studio.history.committed()}, false);
 }
 
 }  // namespace
@@ -126,7 +135,7 @@ Studio::Studio(StudioOptions given)
       viewport(options.shaders, options.wake),
       shape_loader(load_shape, options.wake),
       rows_reader(reread_rows, options.wake),
-      document_saver(save_document, options.wake),
+      autosave(options.wake),
       directory_reader(list_directory, options.wake),
       live_fit(options.wake),
       thumbnails(options.shaders, options.wake),
@@ -136,6 +145,7 @@ void begin_frame(Studio& studio) {
   studio.frame_start = Clock::now();
   studio.ui.navigation = parse_navigation(studio.settings.navigation);
   for (const JobView& ended : studio.jobs.poll()) {
+    std::erase_if(studio.writers, [&](const ProjectWriter& writer) { return writer.job == ended.id; });
     if (ended.state == JobState::failed) say(studio, Severity::error, ended.title + ": " + ended.error);
     if (studio.collection.open()) studio.rows_reader.request(studio.collection.path, false);
   }
@@ -144,6 +154,7 @@ void begin_frame(Studio& studio) {
   follow_rows(studio);
   take_over_shape(studio);
   take_over_fit(studio);
+  tell_problems(studio);
   keep_selection_valid(studio);
   if (studio.drag && !advance(*studio.drag, studio.history)) studio.drag.reset();
 }
@@ -166,13 +177,13 @@ void frame_shown(Studio& studio) {
 bool settled(const Studio& studio) {
   return !studio.drag && !studio.wanted_picture && studio.jobs.idle() && studio.shape_loader.idle() &&
          studio.live_fit.worker.idle() && studio.rows_reader.idle() && studio.directory_reader.idle() &&
-         studio.document_saver.idle() && studio.thumbnails.idle() && !studio.live_fit.newly_shown &&
+         studio.autosave.saver.idle() && studio.thumbnails.idle() && !studio.live_fit.newly_shown &&
          studio.live_fit.asked_shape == studio.shape.shape_revision &&
          !viewport_busy(studio.viewport, studio.shape.shape_revision);
 }
 
 bool wants_frames(const Studio& studio) {
-  return !settled(studio);
+  return !settled(studio) || unsaved(studio) || !studio.autosave.waiting.empty();
 }
 
 const Palette& colours(const Studio& studio) {
@@ -180,7 +191,8 @@ const Palette& colours(const Studio& studio) {
 }
 
 void show_shape(Studio& studio, std::optional<ShapeId> shape) {
-  if (studio.ui.shape == shape && shape) return;
+  // A click on a shape whose file could not be read tries again.
+  if (studio.ui.shape == shape && shape && studio.shape.problem.empty()) return;
   studio.ui.shape = shape;
   if (shape) {
     studio.shape_loader.request({studio.collection.path, *shape}, true);

@@ -14,6 +14,7 @@
 #include "core/session/messages.h"
 #include "core/session/settings.h"
 #include "core/session/user_folders.h"
+#include "ui/autosave.h"
 #include "ui/collection.h"
 #include "ui/command.h"
 #include "ui/directory_reader.h"
@@ -37,6 +38,13 @@ struct StudioOptions {
   std::filesystem::path shaders;
   std::filesystem::path furniture = furniture_folder;  // the archives of the bundled collection
   std::function<void()> wake = {};  // brings the window's loop to draw a frame; called from other threads
+};
+
+// A job that writes to a project file.
+struct ProjectWriter {
+  JobId job = 0;
+  std::filesystem::path project;
+  bool fits = false;
 };
 
 // Where something stands in the window that can be clicked; for tests and scripts.
@@ -75,16 +83,14 @@ struct Studio {
   // Beside the window. Last, so that they are stopped before what they tell of goes.
   ShapeLoader shape_loader;
   RowsReader rows_reader;
-  DocumentSaver document_saver;
+  Autosave autosave;
   DirectoryReader directory_reader;
   LiveFit live_fit;
   ThumbnailStore thumbnails;
   Jobs jobs;
+  std::vector<ProjectWriter> writers;  // those of the jobs that write to a project, until they have ended
 
   std::optional<DirectoryListing> directory;  // of the file browser
-  std::uint64_t saved_revision = 0;           // of the history, as it was last handed to the saver
-  std::uint64_t edited_revision = 0;          // the newest edit that was noted
-  std::chrono::steady_clock::time_point edited_at{};
   std::chrono::steady_clock::time_point rows_asked_at{};
   std::chrono::steady_clock::time_point frame_start{};
   double frame_milliseconds = 0;  // from its start until the newest frame was shown

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include "core/model/part_colours.h"
+#include "core/session/actions.h"
 #include "ui/icons.h"
 #include "ui/panels.h"
 #include "ui/project_actions.h"
@@ -36,9 +37,10 @@ void draw_templates(Studio& studio, const Document& document) {
     for (std::size_t i = 0; i < document.templates.size(); ++i) {
       ImGui::PushID(static_cast<int>(i));
       if (ImGui::Selectable(document.templates[i]->name.c_str(), i == document.active)) {
-        const std::string arguments[] = {document.templates[i]->name};
-        run_command(studio, "select-template", arguments);
+        select_template(studio.history, i);
+        studio.ui.part.reset();
       }
+      mark_target(studio, "template:" + std::to_string(i));
       ImGui::PopID();
     }
     ImGui::EndCombo();

@@ -6,19 +6,27 @@
 
 namespace archetype {
 
-std::uint64_t thumbnail_stamp(const ShapeRow& row) {
-  if (!row.fit) return 0;
-  const std::uint64_t stamp = std::bit_cast<std::uint64_t>(row.fit->energy.total()) ^
-                              (static_cast<std::uint64_t>(row.fit->part_template) * 0x9e3779b97f4a7c15ULL);
-  return stamp | 1;
+WantedThumbnail wanted_thumbnail(const ShapeRow& row) {
+  WantedThumbnail wanted{row.id, row.hash.words[0], row.fit.has_value()};
+  if (row.fit)
+    wanted.stamp ^= std::bit_cast<std::uint64_t>(row.fit->energy.total()) ^
+                    (static_cast<std::uint64_t>(row.fit->part_template) * 0x9e3779b97f4a7c15ULL);
+  return wanted;
 }
 
 ThumbnailStore::ThumbnailStore(std::filesystem::path shaders, std::function<void()> wake)
     : worker_(std::move(shaders), std::move(wake)) {}
 
-std::uint32_t ThumbnailStore::use(ShapeId shape, std::uint64_t stamp) {
-  const auto found = entries_.find(shape);
-  if (found == entries_.end() || found->second.stamp != stamp) missing_.push_back({shape, stamp});
+std::string ThumbnailStore::take_problem() {
+  if (problem_taken_) return "";
+  std::string problem = worker_.problem();
+  problem_taken_ = !problem.empty();
+  return problem;
+}
+
+std::uint32_t ThumbnailStore::use(const WantedThumbnail& wanted) {
+  const auto found = entries_.find(wanted.shape);
+  if (found == entries_.end() || found->second.wanted != wanted) missing_.push_back(wanted);
   if (found == entries_.end()) return 0;
   found->second.used = frame_;
   return found->second.texture ? found->second.texture->name() : 0;
@@ -34,7 +42,7 @@ void ThumbnailStore::begin_frame(const std::filesystem::path& project) {
   for (MadeThumbnail& made : worker_.take()) {
     if (made.project != project_) continue;
     Entry& entry = entries_[made.wanted.shape];
-    entry.stamp = made.wanted.stamp;
+    entry.wanted = made.wanted;
     entry.used = frame_;
     if (made.picture.width > 0) entry.texture.emplace(made.picture);
   }

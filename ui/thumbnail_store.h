@@ -15,9 +15,8 @@
 
 namespace archetype {
 
-// What the picture of a row has to show: it changes when the shape is fitted anew. Never 0 for a fitted
-// shape.
-std::uint64_t thumbnail_stamp(const ShapeRow& row);
+// What the picture of a row has to show: it changes when the file is read anew or the shape is fitted anew.
+WantedThumbnail wanted_thumbnail(const ShapeRow& row);
 
 class ThumbnailStore {
  public:
@@ -25,7 +24,7 @@ class ThumbnailStore {
 
   // The texture to draw now, or 0 where there is none yet; an older picture stands in until the new one is
   // there. What is not used in a frame is not made, and goes once there are too many.
-  std::uint32_t use(ShapeId shape, std::uint64_t stamp);
+  std::uint32_t use(const WantedThumbnail& wanted);
   // Once a frame, before its panels: takes over what was made, and forgets what is of another project. Needs
   // the window's OpenGL context.
   void begin_frame(const std::filesystem::path& project);
@@ -33,11 +32,13 @@ class ThumbnailStore {
   void end_frame();
   bool idle() const { return worker_.idle() && missing_.empty(); }
   std::string problem() const { return worker_.problem(); }
+  // The same, but only once: for a message.
+  std::string take_problem();
 
  private:
   struct Entry {
     std::optional<gl::Texture> texture;  // nothing: the shape has no picture
-    std::uint64_t stamp = 0;
+    WantedThumbnail wanted;
     std::uint64_t used = 0;  // the frame
   };
   void forget_unused();
@@ -47,6 +48,7 @@ class ThumbnailStore {
   std::vector<WantedThumbnail> asked_;
   std::filesystem::path project_;
   std::uint64_t frame_ = 0;
+  bool problem_taken_ = false;
   ThumbnailWorker worker_;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* plain_kind = "surface";
+constexpr std::string_view plain_kind = "surface";
 
 class ThumbnailMaker {
  public:
@@ -22,12 +22,13 @@ class ThumbnailMaker {
 
   Picture make(const fs::path& path, const WantedThumbnail& wanted) {
     if (!project_ || project_->path() != path) project_.emplace(Project::open(path));
-    const std::string kind = wanted.stamp == 0 ? std::string(plain_kind) : std::string(parts_thumbnail);
+    const std::string kind(wanted.fitted ? parts_thumbnail : plain_kind);
     if (const auto kept = project_->thumbnail(wanted.shape, kind); kept && kept->width == thumbnail_size)
       return *kept;
+    const ThumbnailSource source = thumbnail_source(*project_, wanted.shape);
     Picture picture = draw(wanted);
     try {
-      project_->store_thumbnail(wanted.shape, kind, picture);
+      keep_thumbnail(*project_, wanted.shape, kind, picture, source);
     } catch (const Error&) {
       // The picture is shown all the same; it is made again next time.
     }
@@ -39,7 +40,7 @@ class ThumbnailMaker {
     const auto record = project_->find_shape(wanted.shape);
     if (!record) return {};
     std::shared_ptr<const Colours> colours;
-    if (wanted.stamp != 0)
+    if (wanted.fitted)
       if (const auto labels = project_->labels(wanted.shape)) colours = colours_of_labels(*labels);
     const ShapeFile file = read_shape(record->path);
     if (colours && colours->size() != file.mesh.element_count()) colours.reset();
@@ -58,6 +59,22 @@ class ThumbnailMaker {
 };
 
 }  // namespace
+
+ThumbnailSource thumbnail_source(const Project& project, ShapeId shape) {
+  ThumbnailSource source;
+  if (const auto record = project.find_shape(shape)) source.file = record->hash;
+  if (const auto fit = project.fit(shape)) source.fit = fit->state;
+  return source;
+}
+
+bool keep_thumbnail(Project& project, ShapeId shape, const std::string& kind, const Picture& picture,
+                    const ThumbnailSource& source) {
+  Project::Transaction transaction(project);  // nobody else writes between the look and the picture
+  if (thumbnail_source(project, shape) != source) return false;
+  project.store_thumbnail(shape, kind, picture);
+  transaction.commit();
+  return true;
+}
 
 ThumbnailWorker::ThumbnailWorker(fs::path shaders, std::function<void()> wake)
     : shaders_(std::move(shaders)),
@@ -111,8 +128,8 @@ void ThumbnailWorker::run(const std::stop_token& stop) {
       MadeThumbnail made{project, wanted, {}};
       try {
         made.picture = maker->make(project, wanted);
-      } catch (const Error&) {
-        // A file that is gone or broken: its cell stays without a picture, and the view says why.
+      } catch (const std::exception&) {
+        // A file that is gone, broken or too large: its cell stays without a picture, and the view says why.
       }
       lock.lock();
       working_ = false;

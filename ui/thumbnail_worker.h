@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -17,7 +18,8 @@ namespace archetype {
 
 struct WantedThumbnail {
   ShapeId shape = 0;
-  std::uint64_t stamp = 0;  // of the fit that it shows; 0: none, the plain surface
+  std::uint64_t stamp = 0;  // of the file and the fit that it shows
+  bool fitted = false;      // false: the plain surface
   friend bool operator==(const WantedThumbnail&, const WantedThumbnail&) = default;
 };
 
@@ -28,6 +30,18 @@ struct MadeThumbnail {
 };
 
 inline constexpr int thumbnail_size = 192;  // pixels
+
+// What a picture was drawn from.
+struct ThumbnailSource {
+  ContentHash file;
+  std::optional<ContentHash> fit;  // nothing: there is none
+  friend bool operator==(const ThumbnailSource&, const ThumbnailSource&) = default;
+};
+ThumbnailSource thumbnail_source(const Project& project, ShapeId shape);
+// Puts the picture into the project unless the shape was read or fitted anew while it was drawn: then it
+// shows what was, and would never be made again. Whether it did.
+bool keep_thumbnail(Project& project, ShapeId shape, const std::string& kind, const Picture& picture,
+                    const ThumbnailSource& source);
 
 // Pictures that the project has already are taken from there; new ones are kept there.
 class ThumbnailWorker {

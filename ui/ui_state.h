@@ -55,6 +55,7 @@ struct BrowseFor {
   std::string title = {};
   bool folders_only = false;
   bool saving = false;
+  bool replaces = true;     // while saving: offers to replace a file that is there
   bool shapes = false;      // files that can be imported, and folders
   std::string ending = {};  // ".json": only these files are shown, and it is added when saving; "" for all
 };

@@ -37,6 +37,10 @@ void take_over_shape(Studio& studio) {
     if (state.display.mesh && state.display.mesh->triangle_count() > most_moving_triangles)
       state.coarse_worker.request(request, true);
   }
+  if (const std::string problem = state.worker.take_problem(); !problem.empty()) {
+    state.display = {};  // rather nothing than the shape before
+    say(studio, Severity::error, "the shape cannot be drawn: " + problem);
+  }
   if (auto made = state.coarse_worker.poll(); made && made->shape_revision == state.display.shape_revision)
     state.display.coarse = std::move(made->mesh);
   if (state.coloured_fit == shape.fit_revision && state.coloured_display == state.display.shape_revision)

@@ -55,6 +55,7 @@ struct ViewportState {
   glm::dvec2 pressed_at{0, 0};                  // pixels of the viewport
   glm::dvec2 last_cursor{0, 0};
   std::optional<BoxDrag> drag;         // while action is handle
+  std::size_t drag_part = 0;           // whose box it drags
   bool drag_previewed = false;         // it has changed the document
   std::optional<Handle> handle;        // under the cursor
   std::optional<std::size_t> hovered;  // the part whose box is under the cursor

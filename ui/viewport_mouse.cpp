@@ -66,6 +66,7 @@ void begin(Studio& studio, const MouseInput& mouse) {
       *studio.ui.part < active->parts.size()) {
     state.action = MouseAction::handle;
     state.drag = BoxDrag{*state.handle, active->parts[*studio.ui.part].mean_box(), mouse.cursor};
+    state.drag_part = *studio.ui.part;
     state.drag_previewed = false;
     studio.ui.drag_axis.reset();
     return;
@@ -85,9 +86,12 @@ void end_drag(ViewportState& state) {
 
 void drag_handle(Studio& studio, const MouseInput& mouse, const GizmoView& view) {
   ViewportState& state = studio.viewport;
-  // Esc and undo drop the preview; the selection may go with it.
+  // Esc and undo drop the preview; the part may go with it, or another one be selected.
+  const PartTemplate* active = studio.history.committed().active_template();
+  const bool there = active && state.drag_part < active->parts.size() && studio.ui.part == state.drag_part;
   const bool dropped = state.drag_previewed && !studio.history.has_preview();
-  if (dropped || !studio.ui.part) {
+  if (dropped || !there) {
+    if (state.drag_previewed) studio.history.cancel_preview();
     end_drag(state);
     return;
   }
@@ -95,13 +99,13 @@ void drag_handle(Studio& studio, const MouseInput& mouse, const GizmoView& view)
   if (mouse.released) {
     // A click on a handle, or a drag that came back to its start, is no edit.
     if (state.drag_previewed) studio.history.cancel_preview();
-    if (state.drag_previewed) set_part_box(studio.history, *studio.ui.part, box, Stage::done);
+    if (state.drag_previewed) set_part_box(studio.history, state.drag_part, box, Stage::done);
     end_drag(state);
     return;
   }
   const bool moved = glm::length(mouse.cursor - state.pressed_at) > click_reach * view.scale;
   if (!moved && !state.drag_previewed) return;
-  set_part_box(studio.history, *studio.ui.part, box, Stage::live);
+  set_part_box(studio.history, state.drag_part, box, Stage::live);
   state.drag_previewed = true;
 }
 

@@ -26,7 +26,8 @@ void add_help_command(CLI::App& app, Invocation& invocation) {
   command->callback([&app, &invocation, name] {
     invocation.run = [&app, name] {
       app.clear();  // the parser shows the page of the command that it has parsed
-      std::cout << (name->empty() ? app.help() : app.get_subcommand(*name)->help("archetype"));
+      std::cout << (name->empty() ? app.help("", CLI::AppFormatMode::All)
+                                  : app.get_subcommand(*name)->help("archetype"));
       return exit_code::done;
     };
   });

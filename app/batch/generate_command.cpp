@@ -1,6 +1,7 @@
 // archetype generate FAMILY --count N --out DIR
 #include "core/generate/generate.h"
 
+#include <algorithm>
 #include <iostream>
 
 #include "app/batch/command.h"
@@ -45,6 +46,18 @@ int run_generate(const Arguments& arguments, const Invocation& invocation) {
               << (report.cancelled ? ", stopped: the same command goes on from here" : "") << std::endl;
   }
   return report.cancelled ? exit_code::stopped : exit_code::done;
+}
+
+// Which styles there are is known once the family is.
+void check_styles(const Arguments& arguments) {
+  const std::vector<std::string> known = family_names(arguments.family).styles;
+  for (const std::string& style : arguments.options.styles) {
+    if (std::ranges::count(known, style) > 0) continue;
+    std::string list;
+    for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
+    throw CLI::ValidationError("--style",
+                               style + " is no style of " + arguments.family + "; there are " + list);
+  }
 }
 
 void add_fault_options(CLI::App& command, SoupFaults& faults) {
@@ -114,6 +127,7 @@ void add_generate_command(CLI::App& app, Invocation& invocation) {
   add_common_options(*command, invocation);
   add_json_option(*command, invocation);
   command->callback([&invocation, arguments] {
+    check_styles(*arguments);
     invocation.run = [&invocation, arguments] { return run_generate(*arguments, invocation); };
   });
 }

@@ -11,7 +11,10 @@ int main(int argc, char** argv) {
   archetype::StudioRequest request;
   app.add_option("PROJECT|SHAPES_DIR", request.open,
                  "what to open; the seats of Sweet Home 3D where nothing is given");
-  app.add_option("--set", request.settings, "a setting for this run: name=value")->expected(1)->take_all();
+  app.add_option("--set", request.settings, "a setting for this run: name=value")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
   app.add_option("--script", request.script, "commands to run, one a line; F1 in the window lists them");
   app.add_option("--screenshot", request.screenshot,
                  "write the window to this PNG once script and jobs have ended");

@@ -28,6 +28,13 @@ void apply_settings(Settings& settings, const std::vector<std::string>& assignme
   }
 }
 
+// What --set changed was for this run; all else that was changed in it stays.
+Settings settings_to_keep(Settings settings, const Settings& before, const StudioRequest& request) {
+  for (const std::string& assignment : request.settings)
+    copy_setting(settings, before, assignment.substr(0, assignment.find('=')));
+  return settings;
+}
+
 void open_first(Studio& studio, const std::string& path) {
   if (path.empty())
     open_seats(studio);
@@ -111,14 +118,8 @@ int exit_status(const Studio& studio, bool unattended) {
 }
 
 template <typename Window>
-int run_window(Window& window, const StudioRequest& request, const Settings& settings,
-               const std::string& problem) {
+void draw_frames(Window& window, Errand& errand) {
   Studio& studio = window.studio();
-  studio.settings = settings;
-  if (!problem.empty()) studio.messages.warn(problem);
-  Errand errand = errand_of(request, studio);
-  open_first(studio, request.open);
-  const bool unattended = request.quit;
   for (;;) {
     window.frame();
     take_picture(studio);
@@ -129,6 +130,24 @@ int run_window(Window& window, const StudioRequest& request, const Settings& set
       std::this_thread::sleep_for(std::chrono::milliseconds(1));  // leaves the processor to the jobs
     }
   }
+}
+
+template <typename Window>
+int run_window(Window& window, const StudioRequest& request, const Settings& settings,
+               const std::string& problem) {
+  Studio& studio = window.studio();
+  studio.settings = settings;
+  if (!problem.empty()) studio.messages.warn(problem);
+  Errand errand = errand_of(request, studio);
+  open_first(studio, request.open);
+  const bool unattended = request.quit;
+  try {
+    draw_frames(window, errand);
+  } catch (...) {
+    save_now(studio);  // a script that fails in its tenth line leaves the work of nine
+    throw;
+  }
+  save_now(studio);
   print_output(studio);
   return exit_status(studio, unattended);
 }
@@ -149,8 +168,8 @@ int run_studio(const StudioRequest& request) {
   if (DesktopWindow::display_available()) {
     DesktopWindow window(settings.window_width, settings.window_height, options);
     const int status = run_window(window, request, settings, loaded.problem);
-    // What --set changed was for this run.
-    if (request.settings.empty() && !request.quit) save_settings(settings_path, window.studio().settings);
+    if (!request.quit)
+      save_settings(settings_path, settings_to_keep(window.studio().settings, loaded.settings, request));
     return status;
   }
   if (!request.quit)

@@ -28,6 +28,7 @@ constexpr double cost_scale = 1 << 25;
 constexpr double largest_cost = 15.0;
 // Above every sum of a face's other costs, so that pruning drops the label before any cut.
 constexpr std::int32_t forbidden_cost = 1 << 30;
+constexpr std::size_t elements_between_looks = 4096;  // at whether it is cancelled
 
 // The samples in the core of each connected piece of one label: those at least `share` as many steps from
 // another label as the deepest sample of the piece. Their labels are certain; boundaries may move outside the
@@ -98,7 +99,7 @@ LabellingGraph make_face_graph(const FaceAdjacency& adjacency, std::size_t faces
 }  // namespace
 
 ElementLabeller::ElementLabeller(const PolygonMesh& mesh, const ShapeSamples& samples,
-                                 const FitOptions& options)
+                                 const FitOptions& options, const JobControl& control)
     : samples_(&samples), options_(options), elements_(mesh.element_count()) {
   if (samples.size() == 0) throw PreconditionError("a shape without samples cannot be labelled");
   for (const auto f : samples.faces) {
@@ -108,6 +109,7 @@ ElementLabeller::ElementLabeller(const PolygonMesh& mesh, const ShapeSamples& sa
   std::vector<KdTree::Neighbour> near;
   double area = 0;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
+    if (e % elements_between_looks == 0 && control.cancelled()) return;
     Element& element = elements_[e];
     element.point =
         samples.frame.to_normalised(mesh.is_point_set() ? mesh.vertices[e] : face_centre(mesh, e));
@@ -137,12 +139,13 @@ ElementLabeller::ElementLabeller(const PolygonMesh& mesh, const ShapeSamples& sa
   }
 }
 
-std::vector<std::int16_t> ElementLabeller::label(const PartTemplate& part_template,
-                                                 const ShapeFit& fit) const {
+std::vector<std::int16_t> ElementLabeller::label(const PartTemplate& part_template, const ShapeFit& fit,
+                                                 const JobControl& control) const {
   if (fit.parts.size() != part_template.parts.size() || fit.labels.size() != samples_->size()) {
     throw PreconditionError("the fit to label with belongs to another template or shape");
   }
-  auto labels = surface_ ? cut(part_template, fit) : vote(fit);
+  auto labels = surface_ ? cut(part_template, fit, control) : vote(fit);
+  if (control.cancelled()) return {};
   std::replace(labels.begin(), labels.end(), static_cast<std::int16_t>(fit.parts.size()), null_label);
   return labels;
 }
@@ -150,7 +153,8 @@ std::vector<std::int16_t> ElementLabeller::label(const PartTemplate& part_templa
 // The cost of a part at a face is what it is for samples: the distance of the face's centre, and the features
 // of the samples next to it. A face may take the labels of the samples around the one nearest to it, and only
 // that one's label if it lies in the core of its part.
-std::vector<std::int16_t> ElementLabeller::cut(const PartTemplate& part_template, const ShapeFit& fit) const {
+std::vector<std::int16_t> ElementLabeller::cut(const PartTemplate& part_template, const ShapeFit& fit,
+                                               const JobControl& control) const {
   const std::size_t parts = fit.parts.size();
   const std::size_t count = parts + 1;
   const auto null = static_cast<std::int16_t>(parts);
@@ -179,6 +183,7 @@ std::vector<std::int16_t> ElementLabeller::cut(const PartTemplate& part_template
   LabelCosts costs(elements_.size() * count);
   std::vector<std::int16_t> labels(elements_.size());
   for (std::size_t e = 0; e < elements_.size(); ++e) {
+    if (e % elements_between_looks == 0 && control.cancelled()) return {};
     const Element& element = elements_[e];
     const double share = cost_scale * element.area_share;
     const auto row = std::span(costs).subspan(e * count, count);
@@ -204,6 +209,7 @@ std::vector<std::int16_t> ElementLabeller::cut(const PartTemplate& part_template
     }
   }
   ExpansionWorkspace workspace;
+  workspace.stop = control.stop;
   expand_labels(faces_, costs, count, labels, workspace);
   return labels;
 }
@@ -234,8 +240,10 @@ std::vector<std::int16_t> ElementLabeller::vote(const ShapeFit& fit) const {
 
 std::vector<std::int16_t> label_elements(const PolygonMesh& mesh, const ShapeSamples& samples,
                                          const PartTemplate& part_template, const ShapeFit& fit,
-                                         const FitOptions& options) {
-  return ElementLabeller(mesh, samples, options).label(part_template, fit);
+                                         const FitOptions& options, const JobControl& control) {
+  const ElementLabeller labeller(mesh, samples, options, control);
+  if (control.cancelled()) return {};
+  return labeller.label(part_template, fit, control);
 }
 
 }  // namespace archetype

@@ -84,7 +84,7 @@ bool expand(const LabellingGraph& graph, const LabelCosts& unary, std::size_t la
     keep += keep_cost;
     work.flow.add_terminals(v, take_cost, keep_cost);
   }
-  if (work.flow.solve() >= keep) return false;
+  if (work.flow.solve(work.stop) >= keep || work.stop.stop_requested()) return false;
   for (std::uint32_t v = 0; v < work.nodes.size(); ++v) {
     if (work.flow.on_sink_side(v)) labels[work.nodes[v]] = alpha;
   }
@@ -99,7 +99,7 @@ std::int64_t expand_labels(const LabellingGraph& graph, const LabelCosts& unary,
   find_allowed(graph, unary, label_count, options.prune, workspace.allowed);
   // Done when every label in turn has found nothing to gain.
   std::size_t idle = 0;
-  for (std::size_t k = 0; idle < label_count; k = (k + 1) % label_count) {
+  for (std::size_t k = 0; idle < label_count && !workspace.stop.stop_requested(); k = (k + 1) % label_count) {
     const bool moved = expand(graph, unary, label_count, labels, static_cast<std::int16_t>(k), workspace);
     idle = moved ? 1 : idle + 1;
   }

@@ -42,6 +42,8 @@ struct ExpansionWorkspace {
   std::vector<std::int32_t> variable;
   std::vector<std::uint32_t> nodes;
   std::vector<std::uint8_t> allowed;
+  std::stop_token stop =
+      {};  // once it asks, labelling ends early; the labels are those of the last whole move
 };
 
 struct ExpansionOptions {

@@ -42,7 +42,7 @@ void MaxFlow::activate(std::uint32_t node) {
   active_.push_back(node);
 }
 
-MaxFlow::Capacity MaxFlow::solve() {
+MaxFlow::Capacity MaxFlow::solve(const std::stop_token& stop) {
   for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
     Node& node = nodes_[i];
     if (node.terminal == 0) continue;
@@ -51,7 +51,9 @@ MaxFlow::Capacity MaxFlow::solve() {
     node.depth = 1;
     activate(i);
   }
-  while (next_active_ < active_.size()) {
+  constexpr std::uint32_t steps_between_looks = 4096;
+  for (std::uint32_t step = 0; next_active_ < active_.size(); ++step) {
+    if (step % steps_between_looks == 0 && stop.stop_requested()) break;
     const std::uint32_t node = active_[next_active_];
     if (nodes_[node].tree != Tree::none) {
       const std::uint32_t bridge = grow(node);

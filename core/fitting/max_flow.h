@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 namespace archetype {
@@ -21,8 +22,9 @@ class MaxFlow {
   // Adds capacities a -> b and b -> a, each >= 0.
   void add_edge(std::uint32_t a, std::uint32_t b, Capacity forward, Capacity backward);
 
-  // The value of the minimum cut. May be called once per graph.
-  Capacity solve();
+  // The value of the minimum cut. May be called once per graph. Seconds for millions of nodes; what comes out
+  // once `stop` asks to end early is worthless.
+  Capacity solve(const std::stop_token& stop = {});
   // After solve(): whether the node lies on the sink's side of the minimum cut that is nearest to the sink.
   // Nodes that either side may have count as the source's.
   bool on_sink_side(std::uint32_t node) const { return nodes_[node].tree == Tree::sink; }

@@ -73,9 +73,13 @@ struct GenerateReport {
   bool cancelled = false;
 };
 
+// The content of generator.json: what each parameter is drawn from. Another text, another collection.
+std::string describe_collection(const std::string& family, const GenerateOptions& options);
+
 // Writes shapes/NAME.off (or .obj), labels/NAME.seg, labels/names.txt, landmarks/NAME.vts,
 // landmarks/names.txt, styles.csv and generator.json (what each parameter is drawn from). A cancelled or
-// killed call leaves a folder without styles.csv, and the same call goes on from it. Throws FileError if
+// killed call leaves a folder without styles.csv, and the same call goes on from it: files that are there
+// stay. Throws FileError if
 // something cannot be written, and if the folder holds other things than an unfinished or finished collection
 // of the same family and options.
 GenerateReport write_collection(const std::string& family, const GenerateOptions& options,

@@ -191,12 +191,19 @@ std::string describe(const Family& family, const GenerateOptions& options) {
   return document.dump(1) + '\n';
 }
 
+// In one step, so that a file that is there is whole. Unlike replace_file() without waiting for the disk,
+// three times a shape: what a power cut takes is generated again.
 void write_file(const fs::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
+  const fs::path part = path.string() + ".part";
+  std::ofstream file(part, std::ios::binary);
   if (!file) throw FileError(path, "cannot be created; the folder has to be writable");
   file.write(text.data(), static_cast<std::streamsize>(text.size()));
   file.close();
-  if (!file) throw FileError(path, "could not be written in full; is the disk full?");
+  std::error_code failure;
+  if (file) fs::rename(part, path, failure);
+  if (file && !failure) return;
+  fs::remove(part, failure);
+  throw FileError(path, "could not be written in full; is the disk full?");
 }
 
 // Makes the folder ready, or finds it ready for the same collection.
@@ -220,6 +227,10 @@ void prepare_folder(const fs::path& folder, const std::string& description) {
 
 }  // namespace
 
+std::string describe_collection(const std::string& family, const GenerateOptions& options) {
+  return describe(find_family(family), options);
+}
+
 GenerateReport write_collection(const std::string& family_name, const GenerateOptions& options,
                                 const fs::path& folder, const JobControl& control) {
   const Family family = find_family(family_name);
@@ -235,10 +246,12 @@ GenerateReport write_collection(const std::string& family_name, const GenerateOp
       parallel_for(options.count, options.threads, control, "generating", [&](std::size_t i) {
         const GeneratedShape shape = generate_shape(family, options, i);
         const bool obj = options.ending == ShapeEnding::obj;
-        write_file(folder / "shapes" / (shape.name + (obj ? ".obj" : ".off")),
-                   obj ? format_obj(shape, family) : format_off(shape.mesh));
-        write_file(folder / "labels" / (shape.name + ".seg"), format_labels(shape.labels));
-        write_file(folder / "landmarks" / (shape.name + ".vts"), format_landmarks(shape.landmarks));
+        const fs::path mesh = folder / "shapes" / (shape.name + (obj ? ".obj" : ".off"));
+        const fs::path labels = folder / "labels" / (shape.name + ".seg");
+        const fs::path landmarks = folder / "landmarks" / (shape.name + ".vts");
+        if (!fs::exists(mesh)) write_file(mesh, obj ? format_obj(shape, family) : format_off(shape.mesh));
+        if (!fs::exists(labels)) write_file(labels, format_labels(shape.labels));
+        if (!fs::exists(landmarks)) write_file(landmarks, format_landmarks(shape.landmarks));
         rows[i] = csv_row(shape, columns);
       });
 

@@ -38,9 +38,8 @@ void put(std::string& out, const Vec3& v) {
   for (int axis = 0; axis < 3; ++axis) put(out, std::bit_cast<std::uint64_t>(v[axis]));
 }
 
-bool fits_anywhere(unsigned char c) {
-  return c >= 0x20 && c != 0x7f &&
-         std::string_view("/\\:*?\"<>|").find(static_cast<char>(c)) == std::string_view::npos;
+bool may_stand_in_name(unsigned char c) {
+  return c >= 0x20 && c != 0x7f && c != '/';
 }
 
 // A cut that does not go through a character of UTF-8.
@@ -55,9 +54,9 @@ std::string shortened(const std::string& text) {
 std::string export_file_name(const std::string& name) {
   std::string safe = name;
   for (char& c : safe) {
-    if (!fits_anywhere(static_cast<unsigned char>(c))) c = '_';
+    if (!may_stand_in_name(static_cast<unsigned char>(c))) c = '_';
   }
-  if (safe.empty() || safe.front() == '.') safe.insert(0, 1, '_');
+  if (safe.empty()) safe.push_back('_');
   if (safe.size() > longest_name) safe = shortened(safe);
   if (safe == name) return name;
   return safe + '-' + hash_content(std::as_bytes(std::span(name))).to_hex().substr(0, 12);
@@ -71,7 +70,7 @@ std::string unique_export_name(const std::string& name, std::set<std::string>& t
 }
 
 std::string fits_header() {
-  return "shape,template,yaw_degrees,energy,e_data,e_deform,e_smooth,e_feature,status\n";
+  return "shape,template,yaw_degrees,energy,e_data,e_deform,e_smooth,e_feature,status,e_exist\n";
 }
 
 std::string fits_row(const std::string& shape, const std::string& part_template, const FitRecord& fit) {
@@ -82,7 +81,9 @@ std::string fits_row(const std::string& shape, const std::string& part_template,
        {energy.total(), energy.data(), energy.deformation, energy.smoothness, energy.features}) {
     append(row, term);
   }
-  return row + ',' + std::string(to_string(fit.status)) + '\n';
+  row += ',' + std::string(to_string(fit.status));
+  append(row, energy.existence);
+  return row + '\n';
 }
 
 std::string parts_header() {

@@ -9,9 +9,8 @@
 
 namespace archetype {
 
-// A name that can stand as a file name anywhere: no separators or control characters, no leading dot, at most
-// 200 bytes. A name that had to be changed ends in digits of its hash, so that different names stay
-// different.
+// A name that can stand as a file name before an ending: no separators or control characters, at most 200
+// bytes. A name that had to be changed ends in digits of its hash, so that different names stay different.
 std::string export_file_name(const std::string& name);
 
 // The same, made different from all that are in `taken` by "-2", "-3", …; and put there.

@@ -115,6 +115,7 @@ void load_buffers(const Json& document, const Chunks& chunks, const ShapeBytes& 
   const auto buffers = document.find("buffers");
   if (buffers == document.end()) return;
   std::map<std::filesystem::path, std::string_view> read;  // several buffers may be one file
+  std::uint64_t bytes_left = max_file_bytes;               // for all of them
   for (std::size_t i = 0; i < buffers->size(); ++i) {
     const Json& buffer = (*buffers)[i];
     const std::string place = "buffers[" + std::to_string(i) + "]";
@@ -141,7 +142,16 @@ void load_buffers(const Json& document, const Chunks& chunks, const ShapeBytes& 
     } else {
       const std::filesystem::path target = resolve(text, file);
       const auto [entry, is_new] = read.try_emplace(target);
-      if (is_new) entry->second = gltf.owned.emplace_back(read_file(target));
+      if (is_new) {
+        std::error_code unknown;  // then reading it says why
+        const std::uintmax_t size = std::filesystem::file_size(target, unknown);
+        if (!unknown && size > bytes_left)
+          throw InputError(
+              file.path, place,
+              "the buffers hold more than " + std::to_string(max_file_bytes) + " bytes together");
+        entry->second = gltf.owned.emplace_back(read_file(target, bytes_left));
+        bytes_left -= entry->second.size();
+      }
       bytes = entry->second;
       gltf.external = true;
     }

@@ -17,7 +17,7 @@ std::string place_of(std::string_view text, std::size_t byte) {
 }
 
 // Looked at before parsing, so that a hostile file never becomes a deep tree.
-void check_depth(std::string_view text, const std::filesystem::path& file) {
+void check_depth(std::string_view text, const std::filesystem::path& file, int max_depth) {
   int depth = 0;
   bool in_string = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -28,9 +28,9 @@ void check_depth(std::string_view text, const std::filesystem::path& file) {
     } else if (c == '"') {
       in_string = true;
     } else if (c == '[' || c == '{') {
-      if (++depth > max_json_depth) {
+      if (++depth > max_depth) {
         throw InputError(file, place_of(text, i),
-                         "nested more than " + std::to_string(max_json_depth) + " levels deep");
+                         "nested more than " + std::to_string(max_depth) + " levels deep");
       }
     } else if (c == ']' || c == '}') {
       --depth;
@@ -40,8 +40,8 @@ void check_depth(std::string_view text, const std::filesystem::path& file) {
 
 }  // namespace
 
-nlohmann::json parse_json(std::string_view text, const std::filesystem::path& file) {
-  check_depth(text, file);
+nlohmann::json parse_json(std::string_view text, const std::filesystem::path& file, int max_depth) {
+  check_depth(text, file, max_depth);
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {

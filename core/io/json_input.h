@@ -11,7 +11,8 @@ namespace archetype {
 inline constexpr int max_json_depth = 64;
 
 // Keys come sorted: the library's type that keeps their order takes quadratic time for many. Throws
-// InputError with line and column for what is no JSON, or is nested too deeply.
-nlohmann::json parse_json(std::string_view text, const std::filesystem::path& file);
+// InputError with line and column for what is no JSON, or is nested deeper than `max_depth`.
+nlohmann::json parse_json(std::string_view text, const std::filesystem::path& file,
+                          int max_depth = max_json_depth);
 
 }  // namespace archetype

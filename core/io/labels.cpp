@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/io/export_files.h"
 #include "core/io/file.h"
 #include "core/io/text_cursor.h"
 
@@ -81,6 +82,16 @@ std::optional<std::filesystem::path> find_beside(const std::filesystem::path& fo
   return path;
 }
 
+// Under the shape's own name, or else the one that an export gives to a name that cannot be a file's.
+std::optional<std::filesystem::path> find_of_shape(const std::filesystem::path& folder,
+                                                   const std::string& shape_name,
+                                                   std::initializer_list<std::string_view> endings) {
+  for (const std::string& name : {shape_name, export_file_name(shape_name)})
+    for (const std::string_view ending : endings)
+      if (auto found = find_beside(folder, name + std::string(ending))) return found;
+  return {};
+}
+
 }  // namespace
 
 std::vector<int> read_labels(const std::filesystem::path& path, std::size_t element_count) {
@@ -99,8 +110,7 @@ std::vector<int> read_labels(const std::filesystem::path& path, std::size_t elem
 
 std::optional<std::filesystem::path> find_labels(const std::filesystem::path& folder,
                                                  const std::string& shape_name) {
-  auto found = find_beside(folder, shape_name + ".seg");
-  return found ? found : find_beside(folder, shape_name + std::string(named_ending));
+  return find_of_shape(folder, shape_name, {".seg", named_ending});
 }
 
 void write_labels(const std::filesystem::path& path, std::span<const int> labels) {
@@ -112,7 +122,7 @@ void write_labels(const std::filesystem::path& path, std::span<const int> labels
 
 std::optional<std::filesystem::path> find_landmarks(const std::filesystem::path& folder,
                                                     const std::string& shape_name) {
-  return find_beside(folder, shape_name + ".vts");
+  return find_of_shape(folder, shape_name, {".vts"});
 }
 
 std::vector<Landmark> read_landmarks(const std::filesystem::path& path) {

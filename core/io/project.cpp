@@ -1,6 +1,8 @@
 // Creating and opening project files, transactions, refused inputs and settings.
 #include "core/io/project.h"
 
+#include <unistd.h>
+
 #include "core/base/error.h"
 #include "core/io/project_connection.h"
 #include "core/io/project_schema.h"
@@ -30,6 +32,19 @@ void make_project(Database& database) {
   if (!database.path().empty()) database.execute("PRAGMA journal_mode = WAL");
 }
 
+bool may_write(const fs::path& path) {
+  return ::access(path.c_str(), W_OK) == 0;
+}
+
+// On a medium or in a folder where nothing can be written, a project can still be read: unless a program that
+// ended without closing it left its newest commits in the log beside it.
+Database::Mode mode_for(const fs::path& path) {
+  if (may_write(path) && may_write(path.parent_path())) return Database::Mode::open;
+  std::error_code none;
+  const std::uintmax_t log = fs::file_size(path.string() + "-wal", none);
+  return none || log == 0 ? Database::Mode::read : Database::Mode::open;
+}
+
 std::unique_ptr<Database> open_database(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -37,7 +52,7 @@ std::unique_ptr<Database> open_database(const fs::path& path) {
     throw FileError(path, "does not exist; check the name, or make a project with `archetype import`");
   }
   if (!fs::is_regular_file(status)) throw FileError(path, "is not a file; give the path of a project");
-  return std::make_unique<Database>(path, Database::Mode::open);
+  return std::make_unique<Database>(path, mode_for(path));
 }
 
 }  // namespace
@@ -77,7 +92,7 @@ Project Project::open(const fs::path& path) {
   auto connection = std::make_unique<Connection>();
   connection->database = open_database(fs::absolute(path));
   check_and_migrate_schema(*connection->database);
-  connection->database->execute("PRAGMA journal_mode = WAL");
+  if (connection->database->writable()) connection->database->execute("PRAGMA journal_mode = WAL");
   return Project(std::move(connection));
 }
 

@@ -87,7 +87,8 @@ class Project {
  public:
   // A new, empty project; throws FileError if the path exists.
   static Project create(const std::filesystem::path& path);
-  // Throws FileError if it is no project, or was written by a newer version; migrates older ones.
+  // Throws FileError if it is no project, or was written by a newer version; migrates older ones. One that
+  // cannot be written, being on a read-only medium say, is opened to be read: writing throws then.
   static Project open(const std::filesystem::path& path);
   static Project open_or_create(const std::filesystem::path& path);
   // Lives in memory only: the studio before anything is saved, and tests.
@@ -150,7 +151,6 @@ class Project {
   // `kind` is free but for parts_thumbnail.
   void store_thumbnail(ShapeId id, const std::string& kind, const Thumbnail& thumbnail);
   std::optional<Thumbnail> thumbnail(ShapeId id, const std::string& kind) const;
-  void clear_thumbnails(const std::string& kind);
 
   // Free-form settings and the state that a stopped run goes on from.
   void set_setting(const std::string& key, const std::string& value);

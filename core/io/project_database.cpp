@@ -38,12 +38,34 @@ std::string advice(int code) {
   }
 }
 
+int flags_of(Database::Mode mode) {
+  switch (mode) {
+    case Database::Mode::read:
+      return SQLITE_OPEN_READONLY | SQLITE_OPEN_URI;
+    case Database::Mode::open:
+      return SQLITE_OPEN_READWRITE;
+    case Database::Mode::create:
+    case Database::Mode::memory:
+      break;
+  }
+  return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+}
+
+// A database with a write-ahead log wants files beside it even to be read, unless nobody can write to it.
+std::string immutable_uri(const std::filesystem::path& path) {
+  std::string uri = "file:";
+  for (const char c : path.string())
+    uri += c == '%' ? "%25" : c == '?' ? "%3f" : c == '#' ? "%23" : std::string(1, c);
+  return uri + "?immutable=1";
+}
+
 }  // namespace
 
 Database::Database(const std::filesystem::path& path, Mode mode) : path_(path) {
-  const int flags =
-      SQLITE_OPEN_READWRITE | (mode == Mode::open ? 0 : SQLITE_OPEN_CREATE) | SQLITE_OPEN_EXRESCODE;
-  const std::string name = mode == Mode::memory ? ":memory:" : path.string();
+  const int flags = flags_of(mode) | SQLITE_OPEN_EXRESCODE;
+  const std::string name = mode == Mode::memory ? ":memory:"
+                           : mode == Mode::read ? immutable_uri(path)
+                                                : path.string();
   if (sqlite3_open_v2(name.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
     const int code = handle_ == nullptr ? SQLITE_NOMEM : sqlite3_extended_errcode(handle_);
     sqlite3_close_v2(handle_);
@@ -72,6 +94,10 @@ std::int64_t Database::number(const std::string& sql) {
 
 std::int64_t Database::last_row_id() const {
   return sqlite3_last_insert_rowid(handle_);
+}
+
+bool Database::writable() const {
+  return sqlite3_db_readonly(handle_, "main") == 0;
 }
 
 bool Database::in_transaction() const {

@@ -19,7 +19,8 @@ namespace archetype {
 // Every failure is a FileError that says what to do.
 class Database {
  public:
-  enum class Mode { open, create, memory };
+  // read: nothing is written, not even beside the file; for a place where that is not allowed.
+  enum class Mode { open, create, memory, read };
   Database(const std::filesystem::path& path, Mode mode);
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
@@ -29,6 +30,7 @@ class Database {
   std::int64_t number(const std::string& sql);  // the first column of the only row, a PRAGMA's value for one
   std::int64_t last_row_id() const;
   bool in_transaction() const;
+  bool writable() const;
   const std::filesystem::path& path() const { return path_; }
 
   // Throws for the error that SQLite has just met.

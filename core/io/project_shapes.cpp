@@ -186,12 +186,4 @@ std::optional<Thumbnail> Project::thumbnail(ShapeId id, const std::string& kind)
   return thumbnail;
 }
 
-void Project::clear_thumbnails(const std::string& kind) {
-  WriteScope scope(*connection_->database);
-  Statement(*connection_->database, "DELETE FROM thumbnails WHERE kind = ?")
-      .bind(std::string_view(kind))
-      .run();
-  scope.commit();
-}
-
 }  // namespace archetype

@@ -19,13 +19,8 @@ using OrderedJson = nlohmann::ordered_json;  // for writing, so that people find
 
 constexpr std::string_view format_name = "archetype-template";
 constexpr int format_version = 1;
-constexpr std::size_t most_parts = 256;
 constexpr std::size_t most_unknown_keys = 256;
 constexpr std::uint64_t most_bytes = 16 << 20;
-// Bounds on sizes and spreads, in normalised shape units (a shape's mean radius is 1): far beyond anything
-// that means something, and such that squares and their inverses stay finite.
-constexpr double least_spread = 1e-9;
-constexpr double largest_value = 1e9;
 // Quaternions this close to a unit one are kept to the bit, so that files round trip.
 constexpr double unit_tolerance = 1e-12;
 
@@ -115,16 +110,17 @@ void add_unknown_keys(OrderedJson& object, const std::string& extra_json) {
 
 void parse_gaussian(const Node& node, double least_mean, Gaussian3& gaussian) {
   node.expect_object();
-  node.at("mean").numbers(3, gaussian.mean, least_mean, largest_value);
-  if (node.has("stddev")) node.at("stddev").numbers(3, gaussian.stddev, least_spread, largest_value);
+  node.at("mean").numbers(3, gaussian.mean, least_mean, largest_template_value);
+  if (node.has("stddev"))
+    node.at("stddev").numbers(3, gaussian.stddev, least_template_spread, largest_template_value);
 }
 
 Eigen::Quaterniond parse_orientation(const Node& node) {
   std::array<double, 4> wxyz{};
-  node.numbers(4, wxyz, -largest_value, largest_value);
+  node.numbers(4, wxyz, -largest_template_value, largest_template_value);
   Eigen::Quaterniond quaternion(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
   const double norm = quaternion.norm();
-  if (norm < least_spread) node.fail("expected a unit quaternion w x y z, found zero");
+  if (norm < least_template_spread) node.fail("expected a unit quaternion w x y z, found zero");
   if (std::abs(norm - 1) > unit_tolerance) quaternion.coeffs() /= norm;
   return quaternion;
 }
@@ -136,18 +132,20 @@ TemplatePart parse_part(const Node& node, int index) {
   part.label = node.has("label") ? node.at("label").integer(0, std::numeric_limits<int>::max()) : index;
   if (node.has("must_exist")) part.must_exist = node.at("must_exist").boolean();
   if (node.has("orientation")) part.orientation = parse_orientation(node.at("orientation"));
-  parse_gaussian(node.at("position"), -largest_value, part.position);
-  parse_gaussian(node.at("scale"), least_spread, part.scale);
+  parse_gaussian(node.at("position"), -largest_template_value, part.position);
+  parse_gaussian(node.at("scale"), least_template_spread, part.scale);
   if (node.has("features")) {
     const Node features = node.at("features");
     features.expect_object();
     part.has_features = true;
-    features.at("mean").numbers(feature_count, part.features.mean, -largest_value, largest_value);
+    features.at("mean").numbers(feature_count, part.features.mean, -largest_template_value,
+                                largest_template_value);
     if (features.has("stddev")) {
-      features.at("stddev").numbers(feature_count, part.features.stddev, least_spread, largest_value);
+      features.at("stddev").numbers(feature_count, part.features.stddev, least_template_spread,
+                                    largest_template_value);
     }
   }
-  if (node.has("existence")) part.existence = node.at("existence").number(least_spread, 1);
+  if (node.has("existence")) part.existence = node.at("existence").number(least_template_spread, 1);
   part.extra_json = unknown_keys(
       node, {"name", "label", "must_exist", "orientation", "position", "scale", "features", "existence"});
   return part;
@@ -195,7 +193,7 @@ PartTemplate parse_template(std::string_view json, const std::filesystem::path& 
   PartTemplate result;
   result.name = root.at("name").text();
   const Node parts = root.at("parts");
-  parts.expect_array(0, most_parts);
+  parts.expect_array(0, most_template_parts);
   for (std::size_t i = 0; i < parts.json().size(); ++i) {
     result.parts.push_back(parse_part(parts.at(i), static_cast<int>(i)));
   }

@@ -9,6 +9,12 @@
 
 namespace archetype {
 
+// What a file may hold. Bounds on sizes and spreads are in normalised shape units (a shape's mean radius is
+// 1): far beyond anything that means something, and such that squares and their inverses stay finite.
+inline constexpr std::size_t most_template_parts = 256;
+inline constexpr double least_template_spread = 1e-9;
+inline constexpr double largest_template_value = 1e9;
+
 // A part without a label gets its place in the list as label; whatever else may be absent has the default
 // that TemplatePart gives it. Throws InputError (file, the key's path, what was expected). `name` is only
 // used in error messages.

@@ -2,8 +2,9 @@
 //
 // Each is a free function that starts from history.committed() and ends in a commit with a message, or, where
 // it takes a Stage, in a preview while a drag goes on. All work on the active template and throw
-// PreconditionError for a part or template that is not there. A commit that would change nothing makes no
-// step.
+// PreconditionError for a part or template that is not there, and Error for more parts than a template may
+// have. Numbers are kept within what a template file can hold; those that are not finite change nothing. A
+// commit that would change nothing makes no step.
 #pragma once
 
 #include <optional>
@@ -16,9 +17,11 @@ namespace archetype {
 
 enum class Stage { live, done };
 
+// "chair", or "chair 2" where the document has a "chair" besides template number `except`; "template" for "".
+std::string unique_template_name(const Document& document, const std::string& name, std::size_t except);
+
 // Templates of the document. New ones become the active one; names are made unique by a number.
 void add_template(History& history, PartTemplate part_template, const std::string& message);
-void replace_active_template(History& history, PartTemplate part_template, const std::string& message);
 void duplicate_active_template(History& history);
 void remove_active_template(History& history);
 void rename_active_template(History& history, const std::string& name);
@@ -30,10 +33,9 @@ std::size_t duplicate_part(History& history, std::size_t part);
 // Mirrored at the plane x = 0, the plane of symmetry of most things that stand upright.
 std::size_t mirror_part(History& history, std::size_t part);
 void remove_part(History& history, std::size_t part);
-void move_part_in_list(History& history, std::size_t from, std::size_t to);
 
 void rename_part(History& history, std::size_t part, const std::string& name);
-void set_part_label(History& history, std::size_t part, int label);  // >= 0
+void set_part_label(History& history, std::size_t part, int label, Stage stage = Stage::done);  // >= 0
 void set_must_exist(History& history, std::size_t part, bool must_exist);
 // The mean box: what the gizmo and the typed numbers change. Half extents are kept above min_half_extent.
 inline constexpr double min_half_extent = 0.005;  // normalised units

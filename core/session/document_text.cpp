@@ -4,11 +4,18 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/io/json_input.h"
 #include "core/io/template_file.h"
 
 namespace archetype {
 
 using Json = nlohmann::json;
+
+namespace {
+
+constexpr int levels_around_template = 2;  // the document and its list
+
+}  // namespace
 
 std::string format_document(const Document& document) {
   Json json = {{"format", "archetype-document"}, {"version", 1}, {"active", document.active}};
@@ -19,7 +26,7 @@ std::string format_document(const Document& document) {
 }
 
 Document parse_document(std::string_view text, const std::filesystem::path& name) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = parse_json(text, name, max_json_depth + levels_around_template);
   const bool ours = json.is_object() && json.contains("format") && json["format"] == "archetype-document";
   if (!ours || !json.contains("templates") || !json["templates"].is_array())
     throw InputError(name, "", "expected the templates that were being edited");

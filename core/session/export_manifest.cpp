@@ -5,6 +5,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/base/error.h"
+#include "core/io/json_input.h"
 #include "core/session/fit_state.h"
 
 namespace archetype {
@@ -39,6 +41,26 @@ Json sampling_json(const Project& project) {
   return list;
 }
 
+// The seed that the shapes were sampled with, or most of them: all that is drawn at random is drawn then. One
+// of an empty project is that of the export.
+std::uint64_t seed_of_samples(const Project& project, std::uint64_t otherwise) {
+  std::map<std::uint64_t, std::size_t> shapes;
+  for (const ShapeRecord& shape : project.shapes()) ++shapes[shape.seed];
+  const auto most = std::ranges::max_element(shapes, {}, [](const auto& entry) { return entry.second; });
+  return most == shapes.end() ? otherwise : most->first;
+}
+
+// Null where a project from elsewhere holds something that is no JSON.
+Json fit_options_json(const Project& project) {
+  const std::optional<std::string> text = project.setting(fit_options_setting);
+  if (!text) return {};
+  try {
+    return parse_json(*text, project.path());
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 }  // namespace
 
 std::string export_manifest(const Project& project, const ExportOptions& options,
@@ -47,15 +69,14 @@ std::string export_manifest(const Project& project, const ExportOptions& options
   for (const RefusedInput& input : project.refused()) {
     refused.push_back({{"path", input.path.string()}, {"reason", input.reason}});
   }
-  const std::optional<std::string> fit_options = project.setting(fit_options_setting);
   const Json manifest{{"format", "archetype-export"},
                       {"version", 1},
                       {"program", "archetype " ARCHETYPE_VERSION},
-                      {"seed", options.seed},
+                      {"seed", seed_of_samples(project, options.seed)},
                       {"options",
                        {{"exported", exported_json(options)},
                         {"sampling", sampling_json(project)},
-                        {"fit", fit_options ? Json::parse(*fit_options, nullptr, false) : Json()}}},
+                        {"fit", fit_options_json(project)}}},
                       {"counts",
                        {{"shapes", project.shape_count()},
                         {"fitted", report.shapes},

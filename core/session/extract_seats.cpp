@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/io/file.h"
+#include "core/io/json_input.h"
 #include "core/session/furniture_catalog.h"
 #include "core/session/zip_archive.h"
 
@@ -152,8 +153,13 @@ std::vector<Credit> read_credits(const fs::path& folder) {
   const fs::path path = folder / "credits.json";
   std::vector<Credit> credits;
   if (!fs::exists(path)) return credits;
-  const Json json = Json::parse(read_file(path, max_catalogue_bytes), nullptr, false);
-  if (!json.is_array()) throw InputError(path, "", "expected a list of credits");
+  Json json;
+  try {
+    json = parse_json(read_file(path, max_catalogue_bytes), path);
+  } catch (const Error&) {
+    return credits;  // somebody else's file of that name
+  }
+  if (!json.is_array()) return credits;
   const auto text = [](const Json& entry, const char* key) {
     return entry.is_object() && entry.contains(key) && entry[key].is_string() ? entry[key].get<std::string>()
                                                                               : "";

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/evaluation/label_elements.h"
 #include "core/fitting/fit_template.h"
+#include "core/session/commit_pace.h"
 #include "core/session/fit_state.h"
 #include "core/session/ordered_pipeline.h"
 #include "core/session/read_imported.h"
@@ -16,8 +17,6 @@
 namespace archetype {
 
 namespace {
-
-constexpr std::size_t batch_size = 16;  // shapes a transaction: what a killed run may have to do again
 
 // One shape on its way through.
 struct Work {
@@ -133,7 +132,10 @@ class FitRun {
   // Throws an Error that says why the elements cannot be labelled.
   void label_file(Work& work) const {
     work.labels = label_elements(read_imported(work.shape), work.samples, templates_[work.part_template],
-                                 *work.fit, options_);
+                                 *work.fit, options_, stop_only_);
+    if (!control_.cancelled()) return;
+    work.labels.reset();
+    work.cancelled = true;
   }
 
   void take(std::size_t i) {
@@ -146,7 +148,7 @@ class FitRun {
     if (!work.fit) return;
     ++(work.fit_is_stored ? report_.kept : report_.fitted);
     pending_.push_back(std::move(work));
-    if (pending_.size() >= batch_size) commit();
+    if (pace_.due(pending_.size(), control_)) commit();
   }
 
   void commit() {
@@ -161,6 +163,7 @@ class FitRun {
     }
     transaction.commit();
     pending_.clear();
+    pace_.committed();
   }
 
   Project& project_;
@@ -173,6 +176,7 @@ class FitRun {
   std::vector<ShapeId> todo_;
   std::vector<Work> ring_;
   std::vector<Work> pending_;  // to be committed
+  CommitPace pace_;
   FitCollectionReport report_;
 };
 

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/geometry/sample_shape.h"
 #include "core/io/read_shape.h"
+#include "core/session/commit_pace.h"
 #include "core/session/ordered_pipeline.h"
 #include "core/session/scan_shapes.h"
 #include "core/session/stand_upright.h"
@@ -15,8 +16,6 @@ namespace archetype {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::size_t batch_size = 16;  // shapes a transaction: what a killed import may have to do again
 
 // What became of one file.
 struct ReadResult {
@@ -150,7 +149,7 @@ class Import {
     } else {
       pending_.push_back(std::move(result));
     }
-    if (pending_.size() + pending_refused_.size() >= batch_size) commit();
+    if (pace_.due(pending_.size() + pending_refused_.size(), control_)) commit();
   }
 
   void commit() {
@@ -174,6 +173,7 @@ class Import {
     transaction.commit();
     pending_.clear();
     pending_refused_.clear();
+    pace_.committed();
   }
 
   Project& project_;
@@ -184,6 +184,7 @@ class Import {
   std::vector<ReadResult> results_;  // a ring
   std::vector<ReadResult> pending_;  // to be committed
   std::vector<RefusedInput> pending_refused_;
+  CommitPace pace_;
   ImportReport report_;
 };
 

@@ -61,7 +61,6 @@ class Jobs {
   bool idle() const { return running_.empty(); }
   // Running jobs in the order of their start, then the last ended ones, newest first.
   std::vector<JobView> view() const;
-  void clear_ended() { ended_.clear(); }
 
  private:
   struct Running;

@@ -3,10 +3,13 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <functional>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -17,7 +20,8 @@ namespace archetype {
 // What runs is finished rather than cancelled when a newer request comes: under a stream of edits faster than
 // the work (a drag) something must come out. A request that makes the running one worthless says so.
 //
-// request() and poll() are for one thread. `work` must not throw; a cancelled one returns nothing.
+// request() and poll() are for one thread. A cancelled `work` returns nothing; what it throws is kept for
+// take_problem().
 template <typename Request, typename Result>
 class LatestWorker {
  public:
@@ -62,6 +66,11 @@ class LatestWorker {
     const std::lock_guard lock(mutex_);
     return std::exchange(result_, std::nullopt);
   }
+  // Why the last request that failed did so, once; "" if none has.
+  std::string take_problem() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(problem_, {});
+  }
   bool idle() const {
     const std::lock_guard lock(mutex_);
     return !waiting_ && !running_ && !result_;
@@ -79,9 +88,18 @@ class LatestWorker {
       JobControl control;
       control.stop = running_stop_.get_token();
       lock.unlock();
-      std::optional<Result> result = work_(request, control);
+      std::optional<Result> result;
+      std::string problem;
+      try {
+        result = work_(request, control);
+      } catch (const std::bad_alloc&) {
+        problem = "there is not enough memory";
+      } catch (const std::exception& error) {
+        problem = error.what();
+      }
       lock.lock();
       running_ = false;
+      if (!problem.empty()) problem_ = std::move(problem);
       if (control.cancelled() || stop.stop_requested()) result.reset();
       if (result) result_ = std::move(result);
       lock.unlock();
@@ -92,11 +110,12 @@ class LatestWorker {
 
   Work work_;
   std::function<void()> wake_;
-  mutable std::mutex mutex_;  // guards the four below
+  mutable std::mutex mutex_;  // guards the five below
   std::optional<Request> waiting_;
   std::optional<Result> result_;
   bool running_ = false;
   std::stop_source running_stop_;
+  std::string problem_;
   std::condition_variable_any changed_;
   std::jthread thread_;  // last: it is joined before the rest goes
 };

@@ -39,13 +39,19 @@ bool ordered_pipeline(std::size_t n, unsigned threads, const JobControl& control
     }
     return begun++;
   };
-  const auto compute = [&](std::size_t i) {
-    steps.compute(i);
-    return i;
+  struct Item {
+    std::size_t index;
+    bool computed;
   };
-  const auto finish = [&](std::size_t i) {
+  const auto compute = [&](std::size_t i) {
+    const bool wanted = !control.cancelled();
+    if (wanted) steps.compute(i);
+    return Item{i, wanted};
+  };
+  const auto finish = [&](const Item& item) {
+    if (!item.computed) return;
     const std::lock_guard lock(serial);
-    steps.finish(i);
+    steps.finish(item.index);
     control.progress(++finished, n, what);
   };
   const std::size_t window = pipeline_window(threads);
@@ -57,10 +63,9 @@ bool ordered_pipeline(std::size_t n, unsigned threads, const JobControl& control
   tbb::task_arena arena(static_cast<int>(thread_count(threads)));
   arena.execute([&] {
     using tbb::filter_mode;
-    tbb::parallel_pipeline(window,
-                           tbb::make_filter<void, std::size_t>(filter_mode::serial_in_order, begin) &
-                               tbb::make_filter<std::size_t, std::size_t>(filter_mode::parallel, compute) &
-                               tbb::make_filter<std::size_t, void>(filter_mode::serial_in_order, finish));
+    tbb::parallel_pipeline(window, tbb::make_filter<void, std::size_t>(filter_mode::serial_in_order, begin) &
+                                       tbb::make_filter<std::size_t, Item>(filter_mode::parallel, compute) &
+                                       tbb::make_filter<Item, void>(filter_mode::serial_in_order, finish));
   });
   return finished == n;
 }

@@ -20,7 +20,8 @@ std::size_t pipeline_window(unsigned threads);
 
 // Calls prepare(i), compute(i) and finish(i) for every i in [0, n). prepare and finish run in the order of i
 // and never at the same time as each other, so both may use a project; compute runs on up to `threads`
-// threads (0: all). Cancelled, it begins no further item, finishes those that have begun and returns false.
+// threads (0: all). Cancelled, it computes no further item, finishes those that are being computed (one
+// before them may be left out) and returns false.
 // The first exception ends the work and is thrown on. Progress is reported as (items finished, n, what).
 bool ordered_pipeline(std::size_t n, unsigned threads, const JobControl& control, const char* what,
                       const PipelineSteps& steps);

@@ -1,8 +1,11 @@
 // Edits of the parts of the active template.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/io/template_file.h"
 #include "core/session/actions.h"
 
 namespace archetype {
@@ -29,6 +32,26 @@ void put(History& history, PartTemplate part_template, Stage stage, const std::s
     history.commit(std::move(document), message);
 }
 
+// What a template file can hold of the numbers that are wanted.
+Vec3 storable(const Vec3& wanted, const Vec3& before, double least) {
+  if (!wanted.allFinite()) return before;
+  return wanted.cwiseMax(least).cwiseMin(largest_template_value);
+}
+
+Vec3 storable_place(const Vec3& wanted, const Vec3& before) {
+  return storable(wanted, before, -largest_template_value);
+}
+
+Eigen::Quaterniond storable(const Eigen::Quaterniond& wanted, const Eigen::Quaterniond& before) {
+  const double norm = wanted.norm();
+  return std::isfinite(norm) && norm > 0 ? wanted.normalized() : before;
+}
+
+void expect_room(const PartTemplate& part_template) {
+  if (part_template.parts.size() >= most_template_parts)
+    throw Error("a template has at most " + std::to_string(most_template_parts) + " parts");
+}
+
 bool has_part(const PartTemplate& part_template, const std::string& name) {
   return std::any_of(part_template.parts.begin(), part_template.parts.end(),
                      [&](const TemplatePart& part) { return part.name == name; });
@@ -49,6 +72,7 @@ std::string numbered_name(const PartTemplate& part_template, const std::string& 
 
 std::size_t insert_copy(History& history, PartTemplate part_template, TemplatePart copy, std::size_t after,
                         const std::string& message) {
+  expect_room(part_template);
   copy.name = numbered_name(part_template, copy.name);
   part_template.parts.insert(part_template.parts.begin() + static_cast<std::ptrdiff_t>(after) + 1,
                              std::move(copy));
@@ -60,12 +84,14 @@ std::size_t insert_copy(History& history, PartTemplate part_template, TemplatePa
 
 std::size_t add_part(History& history, const Box& box) {
   PartTemplate changed = active_copy(history);
+  expect_room(changed);
   TemplatePart part;
   part.name = has_part(changed, "part") ? numbered_name(changed, "part") : "part";
-  for (const TemplatePart& other : changed.parts) part.label = std::max(part.label, other.label + 1);
-  part.position.mean = box.centre;
-  part.scale.mean = box.half_extent.cwiseMax(min_half_extent);
-  part.orientation = box.orientation;
+  for (const TemplatePart& other : changed.parts)
+    if (other.label < std::numeric_limits<int>::max()) part.label = std::max(part.label, other.label + 1);
+  part.position.mean = storable_place(box.centre, part.position.mean);
+  part.scale.mean = storable(box.half_extent, part.scale.mean, min_half_extent);
+  part.orientation = storable(box.orientation, part.orientation);
   const std::string message = "Add " + part.name;
   changed.parts.push_back(std::move(part));
   const std::size_t index = changed.parts.size() - 1;
@@ -77,7 +103,9 @@ std::size_t duplicate_part(History& history, std::size_t part) {
   PartTemplate changed = active_copy(history);
   TemplatePart copy = part_of(changed, part);
   const std::string message = "Duplicate " + copy.name;
-  copy.position.mean.x() += 2 * copy.scale.mean.x();  // beside the original, where it can be seen and taken
+  // Beside the original, where it can be seen and taken.
+  copy.position.mean =
+      storable_place(copy.position.mean + Vec3(2 * copy.scale.mean.x(), 0, 0), copy.position.mean);
   return insert_copy(history, std::move(changed), std::move(copy), part, message);
 }
 
@@ -100,16 +128,6 @@ void remove_part(History& history, std::size_t part) {
   put(history, std::move(changed), Stage::done, message);
 }
 
-void move_part_in_list(History& history, std::size_t from, std::size_t to) {
-  PartTemplate changed = active_copy(history);
-  TemplatePart moved = part_of(changed, from);
-  part_of(changed, to);
-  const std::string message = "Reorder " + moved.name;
-  changed.parts.erase(changed.parts.begin() + static_cast<std::ptrdiff_t>(from));
-  changed.parts.insert(changed.parts.begin() + static_cast<std::ptrdiff_t>(to), std::move(moved));
-  put(history, std::move(changed), Stage::done, message);
-}
-
 void rename_part(History& history, std::size_t part, const std::string& name) {
   PartTemplate changed = active_copy(history);
   const std::string message = "Rename " + part_of(changed, part).name + " to " + name;
@@ -117,12 +135,12 @@ void rename_part(History& history, std::size_t part, const std::string& name) {
   put(history, std::move(changed), Stage::done, message);
 }
 
-void set_part_label(History& history, std::size_t part, int label) {
+void set_part_label(History& history, std::size_t part, int label, Stage stage) {
   PartTemplate changed = active_copy(history);
   if (label < 0) throw PreconditionError("a label is not negative");
   part_of(changed, part).label = label;
   const std::string message = "Label of " + changed.parts[part].name;
-  put(history, std::move(changed), Stage::done, message);
+  put(history, std::move(changed), stage, message);
 }
 
 void set_must_exist(History& history, std::size_t part, bool must_exist) {
@@ -137,10 +155,10 @@ void set_part_box(History& history, std::size_t part, const Box& box, Stage stag
   PartTemplate changed = active_copy(history);
   TemplatePart& target = part_of(changed, part);
   const Box before = target.mean_box();
-  target.position.mean = box.centre;
-  target.scale.mean = box.half_extent.cwiseMax(min_half_extent);
-  target.orientation = box.orientation.normalized();
-  const bool turned = before.orientation.angularDistance(box.orientation) > 1e-9;
+  target.position.mean = storable_place(box.centre, before.centre);
+  target.scale.mean = storable(box.half_extent, before.half_extent, min_half_extent);
+  target.orientation = storable(box.orientation, before.orientation);
+  const bool turned = before.orientation.angularDistance(target.orientation) > 1e-9;
   const bool resized = (before.half_extent - box.half_extent).norm() > 1e-12;
   const std::string message = (turned ? "Rotate " : resized ? "Resize " : "Move ") + target.name;
   put(history, std::move(changed), stage, message);
@@ -148,21 +166,24 @@ void set_part_box(History& history, std::size_t part, const Box& box, Stage stag
 
 void set_position_stddev(History& history, std::size_t part, const Vec3& stddev, Stage stage) {
   PartTemplate changed = active_copy(history);
-  part_of(changed, part).position.stddev = stddev.cwiseMax(min_half_extent);
+  Vec3& target = part_of(changed, part).position.stddev;
+  target = storable(stddev, target, min_half_extent);
   const std::string message = "Spread of the position of " + changed.parts[part].name;
   put(history, std::move(changed), stage, message);
 }
 
 void set_scale_stddev(History& history, std::size_t part, const Vec3& stddev, Stage stage) {
   PartTemplate changed = active_copy(history);
-  part_of(changed, part).scale.stddev = stddev.cwiseMax(min_half_extent);
+  Vec3& target = part_of(changed, part).scale.stddev;
+  target = storable(stddev, target, min_half_extent);
   const std::string message = "Spread of the size of " + changed.parts[part].name;
   put(history, std::move(changed), stage, message);
 }
 
 void set_existence(History& history, std::size_t part, double existence, Stage stage) {
   PartTemplate changed = active_copy(history);
-  part_of(changed, part).existence = std::clamp(existence, 0.001, 1.0);
+  TemplatePart& target = part_of(changed, part);
+  if (std::isfinite(existence)) target.existence = std::clamp(existence, 0.001, 1.0);
   const std::string message = "Existence of " + changed.parts[part].name;
   put(history, std::move(changed), stage, message);
 }

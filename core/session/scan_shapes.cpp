@@ -41,8 +41,8 @@ class Scanner {
       refuse(path, "is neither a file nor a folder");
     } else if (!has_shape_ending(path)) {
       refuse(path,
-             "has no ending of a shape format; expected .obj, .off, .ply, .stl, .gltf, .glb, .xyz, .pts or "
-             ".binvox");
+             "has no ending of a shape format; expected .obj, .off, .ply, .stl, .gltf, .glb, .xyz, .pts, "
+             ".ac or .binvox");
     } else {
       add_file(path, path.filename());
     }

@@ -22,6 +22,7 @@ struct Choice {
 struct Number {
   double Settings::*member;
   double low, high;
+  bool or_zero = false;  // 0 leaves it to the program
 };
 struct Count {
   int Settings::*member;
@@ -40,7 +41,7 @@ std::vector<Field> fields() {
   return {
       {"theme", Choice{&Settings::theme, {"dark", "light"}}},
       {"navigation", Choice{&Settings::navigation, {"archetype", "blender", "maya"}}},
-      {"ui_scale", Number{&Settings::ui_scale, 0, 4}},
+      {"ui_scale", Number{&Settings::ui_scale, 0.5, 4, true}},
       {"threads", Count{&Settings::threads, 0, 1024}},
       {"window_width", Count{&Settings::window_width, 320, 32768}},
       {"window_height", Count{&Settings::window_height, 240, 32768}},
@@ -71,8 +72,10 @@ std::string assign(Settings& settings, const Field& field, const Json& value) {
     }
     settings.*(choice->member) = text;
   } else if (const auto* number = std::get_if<Number>(&field.kind)) {
-    if (!value.is_number() || !(value >= number->low && value <= number->high))
-      return name + " has to be a number from " + range(number->low, number->high);
+    const bool automatic = number->or_zero && value == 0;
+    if (!automatic && (!value.is_number() || !(value >= number->low && value <= number->high)))
+      return name + " has to be " + (number->or_zero ? "0 or " : "") + "a number from " +
+             range(number->low, number->high);
     settings.*(number->member) = value.get<double>();
   } else if (const auto* count = std::get_if<Count>(&field.kind)) {
     if (!value.is_number_integer() || value < count->low || value > count->high)
@@ -142,6 +145,11 @@ std::string set_setting(Settings& settings, std::string_view name, std::string_v
   std::string known;
   for (const std::string& each : setting_names()) known += (known.empty() ? "" : ", ") + each;
   return "there is no setting \"" + std::string(name) + "\"; there are " + known;
+}
+
+void copy_setting(Settings& to, const Settings& from, std::string_view name) {
+  for (const Field& field : fields())
+    if (field.name == name) assign(to, field, value_of(from, field));
 }
 
 std::vector<std::string> setting_names() {

@@ -42,6 +42,8 @@ void save_settings(const std::filesystem::path& path, const Settings& settings);
 // For `--set name=value` and the command `set`: everything but the lists. Returns what is wrong with it, or
 // "".
 std::string set_setting(Settings& settings, std::string_view name, std::string_view value);
+// The same settings by name: for one that was for a run only. An unknown name changes nothing.
+void copy_setting(Settings& to, const Settings& from, std::string_view name);
 std::vector<std::string> setting_names();
 
 // Puts a path first in the recent list, once, and keeps the newest twelve.

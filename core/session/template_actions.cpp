@@ -16,8 +16,15 @@ const PartTemplate& active_of(const Document& document) {
   return *active;
 }
 
-// "chair", or "chair 2" where the document has a "chair" besides `except`.
-std::string unique_name(const Document& document, const std::string& name, std::size_t except) {
+void commit_active(History& history, PartTemplate part_template, const std::string& message) {
+  Document document = history.committed();
+  document.templates[document.active] = std::make_shared<const PartTemplate>(std::move(part_template));
+  history.commit(std::move(document), message);
+}
+
+}  // namespace
+
+std::string unique_template_name(const Document& document, const std::string& name, std::size_t except) {
   const auto taken = [&](const std::string& candidate) {
     for (std::size_t i = 0; i < document.templates.size(); ++i)
       if (i != except && document.templates[i]->name == candidate) return true;
@@ -29,26 +36,12 @@ std::string unique_name(const Document& document, const std::string& name, std::
   return candidate;
 }
 
-void commit_active(History& history, PartTemplate part_template, const std::string& message) {
-  Document document = history.committed();
-  document.templates[document.active] = std::make_shared<const PartTemplate>(std::move(part_template));
-  history.commit(std::move(document), message);
-}
-
-}  // namespace
-
 void add_template(History& history, PartTemplate part_template, const std::string& message) {
   Document document = history.committed();
-  part_template.name = unique_name(document, part_template.name, document.templates.size());
+  part_template.name = unique_template_name(document, part_template.name, document.templates.size());
   document.templates.push_back(std::make_shared<const PartTemplate>(std::move(part_template)));
   document.active = document.templates.size() - 1;
   history.commit(std::move(document), message);
-}
-
-void replace_active_template(History& history, PartTemplate part_template, const std::string& message) {
-  active_of(history.committed());
-  part_template.name = unique_name(history.committed(), part_template.name, history.committed().active);
-  commit_active(history, std::move(part_template), message);
 }
 
 void duplicate_active_template(History& history) {
@@ -68,7 +61,7 @@ void remove_active_template(History& history) {
 
 void rename_active_template(History& history, const std::string& name) {
   PartTemplate renamed = active_of(history.committed());
-  renamed.name = unique_name(history.committed(), name, history.committed().active);
+  renamed.name = unique_template_name(history.committed(), name, history.committed().active);
   const std::string message = "Rename template to " + renamed.name;
   commit_active(history, std::move(renamed), message);
 }

@@ -67,11 +67,4 @@ HeadlessContext::~HeadlessContext() {
   // The display is shared by all contexts of the process and is not counted: it stays open.
 }
 
-std::string graphics_device() {
-  return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-}
-std::string graphics_version() {
-  return reinterpret_cast<const char*>(glGetString(GL_VERSION));
-}
-
 }  // namespace archetype::gl

@@ -20,8 +20,4 @@ class HeadlessContext {
   void* context_ = nullptr;
 };
 
-// Of the current context: "llvmpipe (LLVM 15.0.6, 256 bits)", "4.5 (Core Profile) Mesa 22.3.6".
-std::string graphics_device();
-std::string graphics_version();
-
 }  // namespace archetype::gl

@@ -75,6 +75,32 @@ TEST_CASE("shapes are imported, fitted, evaluated, exported and described") {
   CHECK(folder_content(only).size() == 3);
 }
 
+TEST_CASE("an export tells the seed of the samples, energies that add up, and files by the shapes' names") {
+  const Fixture fixture(1);
+  const std::string odd = "a:b \"c\" (1)";
+  std::filesystem::rename(fixture.shapes + "/chair_00000.off", fixture.shapes + "/" + odd + ".off");
+  require_run({"import", fixture.project, fixture.shapes, "--points", "100", "--seed", "7"});
+  require_run({"fit", fixture.project, "--template", fixture.chair});
+  const auto out = fixture.folder.path() / "out";
+  require_run({"export", fixture.project, "--out", out.string()});
+  const auto files = folder_content(out);
+  CHECK(nlohmann::json::parse(files.at("manifest.json")).at("seed") == 7);
+  CHECK(files.contains("labels/" + odd + ".seg"));
+  const Finished run =
+      run_archetype({"evaluate", fixture.project, "--labels", (out / "labels").string(), "--json"});
+  CHECK(nlohmann::json::parse(run.out).at("shapes").size() == 1);
+
+  // shape,template,yaw_degrees,energy,e_data,e_deform,e_smooth,e_feature,status,e_exist
+  const std::string& table = files.at("fits.csv");
+  const std::string row = table.substr(table.find('\n') + 1);
+  std::istringstream rest(row.substr(row.find("chair,")));
+  std::vector<std::string> cells;
+  for (std::string cell; std::getline(rest, cell, ',');) cells.push_back(cell);
+  REQUIRE(cells.size() == 9);
+  CHECK(std::stod(cells[2]) == doctest::Approx(std::stod(cells[3]) + std::stod(cells[4]) +
+                                               std::stod(cells[5]) + std::stod(cells[8])));
+}
+
 TEST_CASE("points are mapped from shape to shape and measured against landmarks") {
   const Fixture fixture;
   REQUIRE(fixture.fit().exit_code == 0);
@@ -148,6 +174,7 @@ TEST_CASE("wrong usage is exit status 2 and one line") {
            {"export", "p.archetype", "--out", "x", "--only", "everything"},
            {"generate", "dragons", "--count", "1", "--out", "x"},
            {"generate", "chairs", "--count", "0", "--out", "x"},
+           {"generate", "chairs", "--count", "1", "--out", "x", "--style", "nope"},
            {"help", "nonsense"},
        }) {
     const Finished run = run_archetype(arguments);
@@ -166,6 +193,8 @@ TEST_CASE("help and version are on standard output") {
       CHECK(run.out.find(command) != std::string::npos);
     }
   }
+  for (const char* option : {"--points", "--labels", "--only", "--style", "--threads"})
+    CHECK(run_archetype({"help"}).out.find(option) != std::string::npos);
   CHECK(run_archetype({"help", "import"}).out.find("archetype import [OPTIONS] PROJECT PATH") !=
         std::string::npos);
   CHECK(run_archetype({"--version"}).out == "archetype " ARCHETYPE_VERSION "\n");

@@ -66,3 +66,18 @@ TEST_CASE("a fit without parts labels nothing; a foreign one is a mistake of the
   other.add_face(std::array{0U, 1U, 2U});
   CHECK_THROWS_AS(ElementLabeller(other, fitted.shape.samples, {}), PreconditionError);
 }
+
+TEST_CASE("labelling that is cancelled gives nothing, and soon") {
+  const test::MadeShape shape = test::make_shape("chairs", {}, 1);
+  const PartTemplate part_template = test::template_from(shape);
+  const FitOptions options;
+  const ShapeFit fit = *fit_template(part_template, shape.samples, options);
+  std::stop_source source;
+  JobControl control;
+  control.stop = source.get_token();
+  const ElementLabeller labeller(shape.generated.mesh, shape.samples, options, control);
+  CHECK_FALSE(labeller.label(part_template, fit, control).empty());
+  source.request_stop();
+  CHECK(labeller.label(part_template, fit, control).empty());
+  CHECK(label_elements(shape.generated.mesh, shape.samples, part_template, fit, options, control).empty());
+}

@@ -3,11 +3,13 @@
 
 #include <doctest/doctest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <ctime>
 
 #include "core/base/error.h"
+#include "core/io/project_database.h"
 #include "tests/io/sample_project.h"
 #include "tests/support/scratch_folder.h"
 
@@ -267,4 +269,27 @@ TEST_CASE("a project that was killed while it was created is created again") {
   Project project = Project::open_or_create(blank);
   fill_project(project);
   CHECK(Project::open(blank).shape_count() == 2);
+}
+
+TEST_CASE("a project where nothing can be written can be read") {
+  const ScratchFolder folder;
+  const auto path = folder.path() / "50% #1?.archetype";
+  Project::create(path).set_setting("key", "value");
+  {
+    Database database(path, Database::Mode::read);
+    CHECK_FALSE(database.writable());
+    CHECK(database.number("SELECT count(*) FROM settings WHERE key = 'key'") == 1);
+    CHECK_THROWS_WITH_AS(database.execute("DELETE FROM settings"), doctest::Contains("cannot be written"),
+                         FileError);
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+  }
+  namespace fs = std::filesystem;
+  fs::permissions(path, fs::perms::owner_read);
+  fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
+  if (::access(path.c_str(), W_OK) != 0) {  // root may write all the same
+    Project project = Project::open(path);
+    CHECK(project.setting("key") == "value");
+    CHECK_THROWS_AS(project.set_setting("key", "other"), FileError);
+  }
+  fs::permissions(folder.path(), fs::perms::owner_all);
 }

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/io/file.h"
 #include "tests/io/gltf_builder.h"
 #include "tests/io/shape_reading.h"
 
@@ -176,4 +177,16 @@ TEST_CASE("glTF strips, fans, triangles without indices; lines are passed over; 
       {"mode":0,"attributes":{"POSITION":0}},{"mode":4,"attributes":{"POSITION":1}})");
   CHECK(faces(both.mesh) == Faces{{0, 1, 2}, {2, 1, 3}, {0, 1, 2}, {2, 1, 3}});
   CHECK(both.warnings.size() == 3);  // points, lines, and a seventh corner
+}
+
+TEST_CASE("glTF buffers that are too large together are refused before they are read") {
+  const ScratchFolder folder;
+  const GltfBuilder builder = square_builder();
+  folder.write("small.bin", builder.data());
+  folder.write("large.bin", "");
+  std::filesystem::resize_file(folder.path() / "large.bin", max_file_bytes);  // takes no room on the disk
+  const auto path =
+      folder.write("a.gltf", R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":"small.bin"},
+                 {"byteLength":4,"uri":"large.bin"}]})");
+  CHECK_THROWS_WITH(read_shape(path), doctest::Contains("buffers[1]: the buffers hold more than"));
 }

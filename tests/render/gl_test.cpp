@@ -97,7 +97,6 @@ TEST_CASE("OpenGL errors are reported once") {
 TEST_CASE("contexts come and go") {
   for (int i = 0; i < 3; ++i) {
     const gl::HeadlessContext context;
-    CHECK_FALSE(gl::graphics_device().empty());
-    CHECK(gl::graphics_version().find("Core Profile") != std::string::npos);
+    CHECK_NOTHROW(gl::check_errors("opening a context"));
   }
 }

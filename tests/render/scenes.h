@@ -45,7 +45,9 @@ inline PolygonMesh square(double z) {
 }
 
 inline std::shared_ptr<const MeshGeometry> geometry_of(const PolygonMesh& mesh) {
-  return std::make_shared<MeshGeometry>(make_mesh_geometry(mesh, ShapeFrame{}));
+  MeshGeometry geometry = make_mesh_geometry(mesh, ShapeFrame{});
+  geometry.tree = TriangleTree(geometry.positions);
+  return std::make_shared<MeshGeometry>(std::move(geometry));
 }
 
 inline Rgb pixel_of(const Picture& picture, int x, int y) {

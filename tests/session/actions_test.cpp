@@ -4,9 +4,11 @@
 #include <doctest/doctest.h>
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/io/template_file.h"
 
 using namespace archetype;
 
@@ -63,10 +65,6 @@ std::vector<Action> all_actions() {
   return {
       {"add_template",
        [](History& h) { add_template(h, {.name = "chair", .parts = {}, .extra_json = {}}, "New"); }},
-      {"replace_active_template",
-       [](History& h) {
-         replace_active_template(h, {.name = "x", .parts = {}, .extra_json = {}}, "Replace");
-       }},
       {"duplicate_active_template", [](History& h) { duplicate_active_template(h); }},
       {"remove_active_template", [](History& h) { remove_active_template(h); }},
       {"rename_active_template", [](History& h) { rename_active_template(h, "stool"); }},
@@ -75,7 +73,6 @@ std::vector<Action> all_actions() {
       {"duplicate_part", [](History& h) { duplicate_part(h, 1); }},
       {"mirror_part", [](History& h) { mirror_part(h, 1); }},
       {"remove_part", [](History& h) { remove_part(h, 0); }},
-      {"move_part_in_list", [](History& h) { move_part_in_list(h, 0, 1); }},
       {"rename_part", [](History& h) { rename_part(h, 0, "cushion"); }},
       {"set_part_label", [](History& h) { set_part_label(h, 1, 7); }},
       {"set_must_exist", [](History& h) { set_must_exist(h, 0, true); }},
@@ -179,4 +176,33 @@ TEST_CASE("Actions on what is not there say so and change nothing") {
   CHECK(history.entries().size() == 1);
   History empty({}, "Start");
   CHECK_THROWS_AS(add_part(empty, some_box()), PreconditionError);
+}
+
+TEST_CASE("Whatever numbers are wanted, the template can be written to a file") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double number : {infinity, -infinity, std::nan(""), 1e300, -1e300}) {
+    CAPTURE(number);
+    History history = history_with_two_parts();
+    const Vec3 wanted(0.5, number, 0.5);
+    Box box{wanted, wanted, Eigen::Quaterniond(number, 0, 0, 1)};
+    set_part_box(history, 0, box);
+    set_position_stddev(history, 0, wanted);
+    set_scale_stddev(history, 0, wanted);
+    set_existence(history, 0, number);
+    duplicate_part(history, 0);
+    mirror_part(history, 0);
+    add_part(history, box);
+    CHECK_NOTHROW(format_template(active(history)));
+  }
+}
+
+TEST_CASE("A template takes as many parts as a file does") {
+  History history = history_with_two_parts();
+  while (active(history).parts.size() < most_template_parts) add_part(history, some_box());
+  CHECK_NOTHROW(format_template(active(history)));
+  const Document full = history.current();
+  CHECK_THROWS_WITH_AS(add_part(history, some_box()), "a template has at most 256 parts", Error);
+  CHECK_THROWS_AS(duplicate_part(history, 0), Error);
+  CHECK_THROWS_AS(mirror_part(history, 0), Error);
+  CHECK(history.current() == full);
 }

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "core/base/error.h"
+#include "core/io/template_file.h"
 
 using namespace archetype;
 
@@ -21,6 +22,16 @@ TEST_CASE("A document comes back as it was") {
   chair.name = "bench";
   document.templates.push_back(std::make_shared<const PartTemplate>(chair));
   document.active = 1;
+  CHECK(parse_document(format_document(document), "p") == document);
+}
+
+TEST_CASE("Nesting that could overflow the stack is refused, whatever a template file may hold is not") {
+  const std::string deep(200'000, '[');
+  CHECK_THROWS_AS(parse_document(R"({"format":"archetype-document","templates":[)" + deep, "p"), InputError);
+  const std::string nested = std::string(62, '[') + std::string(62, ']');
+  const PartTemplate deepest = parse_template(
+      R"({"format":"archetype-template","version":1,"name":"a","parts":[],"more":)" + nested + "}", "a.json");
+  const Document document{{std::make_shared<const PartTemplate>(deepest)}, 0};
   CHECK(parse_document(format_document(document), "p") == document);
 }
 

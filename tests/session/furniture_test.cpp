@@ -85,6 +85,10 @@ TEST_CASE("Seats are unpacked upright, with their credits, and only into the fol
   REQUIRE(credits.size() == 2);
   CHECK(credits[0] == Credit{"Oak chair (chair)", "Oak chair", "Jane", "CC-0", "Some catalogue"});
   CHECK(read_credits(scratch.path()).empty());
+  for (const char* foreign : {"{", "{\"films\": []}", "7"}) {
+    scratch.write("credits.json", foreign);
+    CHECK(read_credits(scratch.path()).empty());
+  }
 }
 
 TEST_CASE("Without the package it is said what to install; a cancelled unpacking goes on later") {

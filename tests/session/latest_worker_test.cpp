@@ -5,6 +5,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <new>
+#include <stdexcept>
 #include <thread>
 
 using namespace archetype;
@@ -82,6 +84,26 @@ TEST_CASE("One can wait for a result a little, and for nothing when nothing is u
   worker.wait(1min);
   CHECK(elapsed() < 30s);
   CHECK(worker.poll() == 1);
+}
+
+TEST_CASE("What a request throws is said once, and the next one is worked on") {
+  Worker worker(
+      [](const int& request, const JobControl&) -> std::optional<int> {
+        if (request == 1) throw std::bad_alloc();
+        if (request == 2) throw std::runtime_error("two");
+        return request;
+      },
+      {});
+  worker.request(1, false);
+  worker.wait(1min);
+  CHECK(worker.take_problem() == "there is not enough memory");
+  CHECK(worker.take_problem().empty());
+  worker.request(2, false);
+  worker.wait(1min);
+  CHECK(worker.take_problem() == "two");
+  CHECK_FALSE(worker.poll());
+  worker.request(3, false);
+  CHECK(wait_for(worker) == 3);
 }
 
 TEST_CASE("A worker that is busy ends with its owner, within the time of a check") {

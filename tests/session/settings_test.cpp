@@ -64,6 +64,21 @@ TEST_CASE("A setting is set by name, and what is wrong is said with what is expe
   CHECK(set_setting(settings, "theme", "pink").find("dark, light") != std::string::npos);
   CHECK(set_setting(settings, "threads", "many").find("0 to 1024") != std::string::npos);
   CHECK(set_setting(settings, "threads", "1e999") != "");
+  for (const char* scale : {"0.01", "-1", "4.5", "large"})
+    CHECK(set_setting(settings, "ui_scale", scale).find("0 or a number from 0.5 to 4") != std::string::npos);
   CHECK(set_setting(settings, "nothing", "1").find("ui_scale") != std::string::npos);
   CHECK(settings == before);
+}
+
+TEST_CASE("A setting that was for one run is put back alone") {
+  const Settings before;
+  Settings settings;
+  settings.theme = "light";
+  settings.ui_scale = 2;
+  settings.show_bottom = false;
+  copy_setting(settings, before, "theme");
+  copy_setting(settings, before, "no such setting");
+  CHECK(settings.theme == before.theme);
+  CHECK(settings.ui_scale == 2);
+  CHECK_FALSE(settings.show_bottom);
 }

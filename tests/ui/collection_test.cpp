@@ -22,7 +22,7 @@ TEST_CASE("A folder opens in the grid; a click shows a shape; pictures are made"
   CHECK(window.studio().shape.mesh);
   CHECK(window.studio().shape.samples);
   CHECK(window.studio().thumbnails.problem().empty());
-  for (const ShapeRow& row : rows) CHECK(window.studio().thumbnails.use(row.id, thumbnail_stamp(row)) != 0);
+  for (const ShapeRow& row : rows) CHECK(window.studio().thumbnails.use(wanted_thumbnail(row)) != 0);
 }
 
 TEST_CASE("The arrow keys and the search go through the shapes") {
@@ -82,7 +82,7 @@ TEST_CASE("What was edited is there again when the folder is opened again") {
   const Document made = window.studio().history.current();
   // Saved a second after the last edit.
   const auto start = std::chrono::steady_clock::now();
-  while (window.studio().saved_revision != window.studio().history.revision()) {
+  while (window.studio().autosave.saved_revision != window.studio().history.revision()) {
     REQUIRE(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
     window.frames();
   }

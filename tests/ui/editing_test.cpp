@@ -26,6 +26,19 @@ void check_one_step(TestWindow& window, const Document& before, std::size_t step
   CHECK(history.current() == after);
 }
 
+// At this share of the target's width: a field may have buttons beside the text.
+void click_at(TestWindow& window, const std::string& name, float share) {
+  for (const Target& target : window.studio().targets) {
+    if (target.name != name) continue;
+    ImGui::GetIO().MousePos = {target.low_x + share * (target.high_x - target.low_x),
+                               (target.low_y + target.high_y) / 2};
+  }
+  window.frames(2);
+  ImGui::GetIO().MouseDown[0] = true;
+  window.frames();
+  window.let_go();
+}
+
 struct Edit {
   const char* name;
   void (*make)(TestWindow&);
@@ -48,6 +61,13 @@ const Edit edits[] = {
        w.type("0.25");
        w.field_key(ImGuiKey_Enter);
      }},
+    {"type a label",
+     [](TestWindow& w) {
+       click_at(w, "field:Label", 0.1f);
+       w.type("12");
+       w.field_key(ImGuiKey_Enter);
+     }},
+    {"raise a label", [](TestWindow& w) { click_at(w, "field:Label", 0.95f); }},
     {"type a name",
      [](TestWindow& w) {
        w.click("field:Name");
@@ -100,6 +120,49 @@ TEST_CASE("A drag shows every step live and Esc puts it back") {
   window.let_go();
   CHECK(window.studio().history.current() == before);
   CHECK_FALSE(window.studio().history.has_preview());
+}
+
+TEST_CASE("A drag goes on with the part that it began with") {
+  TestWindow window;
+  window.make_template();
+  window.click("part:seat");
+  const Document before = window.studio().history.current();
+  window.press_on("field:Centre.y");
+  window.move_by(20, 0);
+  window.key("Tab");  // refused
+  CHECK(window.studio().ui.part == 0);
+  window.studio().ui.part = 1;  // however it came about
+  window.frames(2);
+  window.move_by(20, 0);
+  window.let_go();
+  const PartTemplate& first = *before.templates[0];
+  CHECK(shown(window).parts[1] == first.parts[1]);
+}
+
+TEST_CASE("A number that is none, or too large for a file, changes nothing or becomes the largest") {
+  TestWindow window;
+  window.make_template();
+  window.click("part:seat");
+  const Document before = window.studio().history.current();
+  window.double_click("field:Centre.x");
+  window.type("1e999");
+  window.field_key(ImGuiKey_Enter);
+  CHECK(window.studio().history.current() == before);
+}
+
+TEST_CASE("A scripted drag ends where its part is deleted") {
+  TestWindow window;
+  window.make_template();
+  window.click("part:leg");
+  const std::string arguments[] = {"0", "1", "0", "1000"};
+  REQUIRE(run_command(window.studio(), "drag-part", arguments));
+  window.frames(3);
+  CHECK(window.studio().history.has_preview());
+  window.key("Delete");
+  window.frames(3);
+  CHECK_FALSE(window.studio().drag);
+  CHECK_FALSE(window.studio().history.has_preview());
+  CHECK(shown(window).parts.size() == 2);
 }
 
 TEST_CASE("Keys for commands stay out of text fields, keys of text fields stay in them") {

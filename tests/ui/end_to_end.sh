@@ -14,7 +14,7 @@ export XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data XDG_CACHE_HOME=
 # Runs inside the virtual display: types, quits, and gives the status of the program.
 cat > "$folder/drive.sh" <<'DRIVE'
 set -eu
-"$1" "$2" &
+"$1" --set theme=light "$2" &
 program=$!
 window=$(timeout 60 xdotool search --sync --onlyvisible --name Archetype | head -1)
 xdotool windowfocus "$window"
@@ -22,7 +22,7 @@ for keys in ctrl+n shift+a shift+a ctrl+z; do
   sleep 0.3
   xdotool key "$keys"
 done
-sleep 4  # saved a second after the last edit
+sleep 0.3  # what was edited a moment ago is saved all the same
 xdotool key ctrl+q
 wait "$program"
 DRIVE

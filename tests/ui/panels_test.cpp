@@ -32,7 +32,7 @@ void make_large_document(TestWindow& window) {
     FitSummary fit;
     fit.shape = id;
     fit.energy.features = 1.0 / static_cast<double>(id);
-    rows.rows.push_back({id, "shape_" + std::to_string(id), 1000, fit});
+    rows.rows.push_back({id, "shape_" + std::to_string(id), 1000, {}, fit});
   }
   ++window.studio().collection.revision;
   for (int i = 0; i < 2000; ++i) window.studio().messages.warn("message " + std::to_string(i));
