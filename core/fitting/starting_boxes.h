@@ -16,8 +16,9 @@ std::vector<Box> mean_boxes(const PartTemplate& part_template);
 // of a chair find no leg of a bench.
 std::vector<Box> stretched_boxes(const PartTemplate& part_template, std::span<const Vec3> points);
 
-// What stretched boxes come to has to be better than the others by this factor: parts that were moved far may
-// stand for other things than they were made for. (Without it glasses lose 1 % of their labels.)
+// What stretched boxes come to has to be better than the mean boxes at the same yaw by this factor: parts
+// that were moved far may stand for other things than they were made for. (Without it glasses lose 1 % of
+// their labels.)
 inline constexpr double stretch_handicap = 1.15;
 
 }  // namespace archetype

@@ -213,20 +213,17 @@ ShapeFit plain_fit(const PartTemplate& given, const ShapeSamples& samples, const
   const std::vector<Box> means = mean_boxes(part_template);
   std::vector<bool> dropped(means.size(), false);
   ShapeFit best;
-  double best_energy = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();
   for (int yaw = 0; yaw < 4; ++yaw) {
     ShapeFit start;
     start.yaw_quarters = yaw;
     std::vector<Vec3> turned;
     for (const Vec3& p : samples.points) turned.push_back(turn_quarters(p, -yaw));
-    const auto try_boxes = [&](const std::vector<Box>& boxes, double handicap) {
-      const ShapeFit fit = alternate(plain, start, boxes, dropped);
-      if (fit.energy.total() * handicap >= best_energy) return;
-      best_energy = fit.energy.total() * handicap;
-      best = fit;
-    };
-    try_boxes(means, 1);
-    try_boxes(stretched_boxes(part_template, turned), stretch_handicap);
+    const ShapeFit mean = alternate(plain, start, means, dropped);
+    const ShapeFit stretched = alternate(plain, start, stretched_boxes(part_template, turned), dropped);
+    if (std::min(mean.energy.total(), stretched.energy.total()) >= least) continue;
+    least = std::min(mean.energy.total(), stretched.energy.total());
+    best = stretched.energy.total() * stretch_handicap < mean.energy.total() ? stretched : mean;
   }
   while (options.drop_parts) {
     std::vector<Box> boxes;
