@@ -79,7 +79,7 @@ std::vector<Pick> pick_boxes(const Scene& scene, const Ray& ray) {
         continue;
       }
       const bool forward = direction[k] > 0;
-      const auto low_face = static_cast<std::size_t>(2 * k);
+      const auto low_face = 2 * static_cast<std::size_t>(k);
       const double a = ((forward ? -1 : 1) * box.half_extent[k] - origin[k]) / direction[k];
       const double b = ((forward ? 1 : -1) * box.half_extent[k] - origin[k]) / direction[k];
       if (a > enter) enter = a, enter_face = forward ? low_face : low_face + 1;

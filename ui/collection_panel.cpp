@@ -124,7 +124,8 @@ void scroll_to_shape(Studio& studio, int columns, float line_height) {
     return studio.collection.rows()[row].id == studio.ui.shape;
   });
   if (at == visible.end()) return;
-  const float top = static_cast<float>((at - visible.begin()) / columns) * line_height;
+  const auto line = (at - visible.begin()) / columns;
+  const float top = static_cast<float>(line) * line_height;
   const float space = ImGui::GetWindowHeight();
   if (top < ImGui::GetScrollY() || top + line_height > ImGui::GetScrollY() + space)
     ImGui::SetScrollY(std::max(0.0f, top - (space - line_height) / 2));
@@ -147,7 +148,8 @@ void draw_cells(Studio& studio) {
   while (clipper.Step()) {
     for (int line = clipper.DisplayStart; line < clipper.DisplayEnd; ++line) {
       for (int column = 0; column < columns; ++column) {
-        const auto index = static_cast<std::size_t>(line * columns + column);
+        const auto index = static_cast<std::size_t>(line) * static_cast<std::size_t>(columns) +
+                           static_cast<std::size_t>(column);
         if (index >= grid.visible.size()) break;
         if (column > 0) ImGui::SameLine();
         draw_cell(studio, rows[grid.visible[index]], side, height);

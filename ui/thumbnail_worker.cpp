@@ -79,7 +79,7 @@ bool keep_thumbnail(Project& project, ShapeId shape, const std::string& kind, co
 ThumbnailWorker::ThumbnailWorker(fs::path shaders, std::function<void()> wake)
     : shaders_(std::move(shaders)),
       wake_(std::move(wake)),
-      thread_([this](std::stop_token stop) { run(stop); }) {}
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 ThumbnailWorker::~ThumbnailWorker() {
   thread_.request_stop();

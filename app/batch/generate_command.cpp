@@ -54,7 +54,7 @@ void check_styles(const Arguments& arguments) {
   for (const std::string& style : arguments.options.styles) {
     if (std::ranges::count(known, style) > 0) continue;
     std::string list;
-    for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
+    for (const std::string& each : known) list.append(list.empty() ? "" : ", ").append(each);
     throw CLI::ValidationError("--style",
                                style + " is no style of " + arguments.family + "; there are " + list);
   }

@@ -24,7 +24,7 @@ void apply_settings(Settings& settings, const std::vector<std::string>& assignme
     if (equals == std::string::npos) throw Error("--set " + assignment + ": expected name=value");
     const std::string problem =
         set_setting(settings, assignment.substr(0, equals), assignment.substr(equals + 1));
-    if (!problem.empty()) throw Error("--set " + assignment + ": " + problem);
+    if (!problem.empty()) throw Error(std::string("--set ").append(assignment).append(": ").append(problem));
   }
 }
 

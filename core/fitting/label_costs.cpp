@@ -54,7 +54,8 @@ void label_costs(std::span<const Vec3> points, std::span<const Box> boxes, std::
     const BoxDistance distance(boxes[k]);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double cost = scale * distance.squared(points[i]) + label_cost_scale * features[i * parts + k];
-      costs[i * (parts + 1) + k] =
+      // A cost is never negative, and std::lround would be a call for each.
+      costs[i * (parts + 1) + k] =  // NOLINTNEXTLINE(bugprone-incorrect-roundings)
           static_cast<std::int32_t>(std::min(cost, largest * label_cost_scale) + 0.5);
     }
   }

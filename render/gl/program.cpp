@@ -92,8 +92,9 @@ Program::Program(const std::filesystem::path& vertex_file, const std::filesystem
   GLint length = 0;
   glGetProgramiv(handle_.name(), GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
-  glGetProgramInfoLog(handle_.name(), length, nullptr, log.data());
-  throw InputError(fragment_file, "", "does not fit " + vertex_file.filename().string() + ": " + log.c_str());
+  glGetProgramInfoLog(handle_.name(), length, &length, log.data());
+  log.resize(static_cast<std::size_t>(length));  // without the null that ends it
+  throw InputError(fragment_file, "", "does not fit " + vertex_file.filename().string() + ": " + log);
 }
 
 void Program::use() const {

@@ -220,8 +220,7 @@ TEST_CASE("on a thin box edges and corners give way to faces, which always stay"
     const Box box{Vec3::Zero(), Vec3(0.5, 0.5, thickness)};
     std::array<int, 4> sides{};
     for (const HandleShape& shape : handle_shapes(box, BoxTool::scale, view))
-      ++sides[static_cast<std::size_t>(std::abs(shape.handle.side[0]) + std::abs(shape.handle.side[1]) +
-                                       std::abs(shape.handle.side[2]))];
+      ++sides.at(3 - static_cast<std::size_t>(std::ranges::count(shape.handle.side, 0)));
     return sides;
   };
   CHECK(count(0.5) == std::array{0, 6, 12, 8});
