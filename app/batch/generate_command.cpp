@@ -55,8 +55,8 @@ void check_styles(const Arguments& arguments) {
     if (std::ranges::count(known, style) > 0) continue;
     std::string list;
     for (const std::string& each : known) list.append(list.empty() ? "" : ", ").append(each);
-    throw CLI::ValidationError("--style",
-                               style + " is no style of " + arguments.family + "; there are " + list);
+    const std::string of_family = " is no style of " + arguments.family + "; there are ";
+    throw CLI::ValidationError("--style", std::string(style).append(of_family).append(list));
   }
 }
 

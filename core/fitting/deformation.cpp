@@ -2,24 +2,102 @@
 #include "core/fitting/deformation.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace archetype {
 
 namespace {
 
-// Sums of one axis of one part.
-struct Normal {
-  double w = 0, wu = 0, wuu = 0, wx = 0, wxu = 0;
-  void add(double weight, double u, double x) {
+// Sums over the correspondences of one part: u in box coordinates, x its target along the box's own axes.
+struct Sums {
+  double w = 0;
+  Vec3 u = Vec3::Zero();
+  Vec3 x = Vec3::Zero();
+  Mat3 uu = Mat3::Zero();
+  Mat3 xu = Mat3::Zero();
+  void add(double weight, const Vec3& at, const Vec3& target) {
     w += weight;
-    wu += weight * u;
-    wuu += weight * u * u;
-    wx += weight * x;
-    wxu += weight * x * u;
+    u += weight * at;
+    x += weight * target;
+    uu += weight * at * at.transpose();
+    xu += weight * target * at.transpose();
   }
 };
 
+// What a prior of this precision weighs at a deviation: the tangent of the logarithm of Student's t at the
+// box as it stands is a parabola that lies above it, so that the step cannot raise the energy.
+double prior_weight(const FitOptions& options, double precision, double squared_deviation) {
+  return options.alpha * precision / (1 + precision * squared_deviation / options.deformation_tail);
+}
+
+Eigen::Quaterniond rotation(const Vec3& vector) {
+  const double angle = vector.norm();
+  if (angle < 1e-12) return Eigen::Quaterniond::Identity();
+  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, vector / angle));
+}
+
+// The centre and half extents that minimise the energy for the box's axes as they stand.
+void move_and_scale(const Sums& sums, const TemplatePart& part, const FitOptions& options, Box& box) {
+  const Mat3 axes = box.orientation.conjugate().toRotationMatrix();
+  const Vec3 mean_position = axes * part.position.mean;
+  const Vec3 precision = axes.cwiseAbs2() * part.position.stddev.cwiseAbs2().cwiseInverse();
+  const Vec3 moved = axes * box.centre - mean_position;
+  Vec3 position;
+  for (int a = 0; a < 3; ++a) {
+    const double stddev = part.scale.stddev[a];
+    const double scaled = box.half_extent[a] - part.scale.mean[a];
+    const double p = prior_weight(options, precision[a], moved[a] * moved[a]);
+    const double s = prior_weight(options, 1 / (stddev * stddev), scaled * scaled);
+    const double a11 = sums.w + p;
+    const double a22 = sums.uu(a, a) + s;
+    const double b1 = sums.x[a] + p * mean_position[a];
+    const double b2 = sums.xu(a, a) + s * part.scale.mean[a];
+    double half = (a11 * b2 - sums.u[a] * b1) / (a11 * a22 - sums.u[a] * sums.u[a]);
+    half = std::max(half, smallest_half_extent);
+    box.half_extent[a] = half;
+    position[a] = (b1 - sums.u[a] * half) / a11;  // the best position for that extent, clamped or not
+  }
+  box.centre = axes.transpose() * position;
+}
+
+// Turns the box about its centre. A point y of the box and its target x (both from the centre) part by
+// const - 2 x.Ry, so the energy of a rotation R is -2 tr(R^T D) with D = sum w x y^T, and its prior. One
+// Gauss-Newton step, shortened until it gains.
+void turn(const Sums& sums, const TemplatePart& part, const FitOptions& options, Box& box) {
+  const Mat3 axes = box.orientation.conjugate().toRotationMatrix();
+  const Mat3 scale = box.half_extent.asDiagonal();
+  const Mat3 D = (sums.xu - (axes * box.centre) * sums.u.transpose()) * scale;
+  const Mat3 Y = scale * sums.uu * scale;
+  const Eigen::Quaterniond turned = part.orientation.conjugate() * box.orientation;
+  const Vec3 deviation = turn_vector(turned);
+  const double precision = 1 / (options.turn_stddev * options.turn_stddev);
+  const double weight = prior_weight(options, precision, deviation.squaredNorm());
+  const Vec3 torque(D(2, 1) - D(1, 2), D(0, 2) - D(2, 0), D(1, 0) - D(0, 1));
+  const Mat3 inertia = (Y.trace() + weight) * Mat3::Identity() - Y;
+  Vec3 step = inertia.ldlt().solve(torque - weight * deviation);
+  const auto energy = [&](const Eigen::Quaterniond& by) {
+    const double squared = turn_vector(turned * by).squaredNorm();
+    return options.alpha * options.deformation_tail *
+               std::log1p(precision * squared / options.deformation_tail) -
+           2 * by.toRotationMatrix().cwiseProduct(D).sum();
+  };
+  const double now = energy(Eigen::Quaterniond::Identity());
+  for (int halvings = 0; halvings < 4; ++halvings, step /= 2) {
+    const Eigen::Quaterniond by = rotation(step);
+    if (energy(by) >= now) continue;
+    box.orientation = (box.orientation * by).normalized();
+    return;
+  }
+}
+
 }  // namespace
+
+Vec3 turn_vector(const Eigen::Quaterniond& turn) {
+  const Vec3 half = turn.w() < 0 ? Vec3(-turn.vec()) : Vec3(turn.vec());
+  const double sine = half.norm();
+  if (sine < 1e-9) return 2 * half;
+  return half * (2 * std::atan2(sine, std::abs(turn.w())) / sine);
+}
 
 Vec3 rigid_step(const MatchedShape& shape, std::span<const Box> boxes) {
   const double shape_weight = 1.0 / static_cast<double>(shape.points.size());
@@ -48,56 +126,30 @@ void deformation_step(const MatchedShape& shape, const PartTemplate& part_templa
   const double scale = 1.0 / (shape.unit * shape.unit);
   const double shape_weight = scale / static_cast<double>(shape.points.size());
   const double template_weight = scale / static_cast<double>(shape.surface->local.size());
-  std::vector<std::array<Normal, 3>> sums(boxes.size());
+  std::vector<Sums> sums(boxes.size());
   std::vector<Mat3> axes;  // from the template's axes to the box's own
   axes.reserve(boxes.size());
   for (const Box& box : boxes) axes.emplace_back(box.orientation.conjugate().toRotationMatrix());
-  const auto add = [&](std::size_t k, double weight, const Vec3& local, const Vec3& target) {
-    const Vec3 x = axes[k] * target;
-    for (int a = 0; a < 3; ++a) sums[k][static_cast<std::size_t>(a)].add(weight, local[a], x[a]);
-  };
   for (std::size_t i = 0; i < shape.points.size(); ++i) {
     if (shape.labels[i] == null_label) continue;
-    add(static_cast<std::size_t>(shape.labels[i]), shape_weight, shape.matches->on_template[i],
-        shape.points[i]);
+    const auto k = static_cast<std::size_t>(shape.labels[i]);
+    sums[k].add(shape_weight, shape.matches->on_template[i], axes[k] * shape.points[i]);
   }
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     for (auto t = shape.surface->begins[k]; t < shape.surface->begins[k + 1]; ++t) {
       const auto i = shape.matches->on_shape[t];
       if (i == Correspondences::none) break;
-      add(k, template_weight, shape.surface->local[t], shape.points[i]);
+      sums[k].add(template_weight, shape.surface->local[t], axes[k] * shape.points[i]);
     }
   }
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     const TemplatePart& part = part_template.parts[k];
-    if (sums[k][0].w == 0) {
+    if (sums[k].w == 0) {
       boxes[k] = part.mean_box();
       continue;
     }
-    const Vec3 mean_position = axes[k] * part.position.mean;
-    const Vec3 precision = axes[k].cwiseAbs2() * part.position.stddev.cwiseAbs2().cwiseInverse();
-    // What the prior weighs falls with the deviation: the tangent of its logarithm at the box as it stands
-    // is a parabola that lies above it, so that the step cannot raise the energy.
-    const auto weight = [&](double deviation, double precision_) {
-      return options.alpha * precision_ / (1 + precision_ * deviation * deviation / options.deformation_tail);
-    };
-    const Vec3 deviation = axes[k] * boxes[k].centre - mean_position;
-    Vec3 position;
-    for (int a = 0; a < 3; ++a) {
-      const Normal& n = sums[k][static_cast<std::size_t>(a)];
-      const double p = weight(deviation[a], precision[a]);
-      const double s = weight(boxes[k].half_extent[a] - part.scale.mean[a],
-                              1 / (part.scale.stddev[a] * part.scale.stddev[a]));
-      const double a11 = n.w + p;
-      const double a22 = n.wuu + s;
-      const double b1 = n.wx + p * mean_position[a];
-      const double b2 = n.wxu + s * part.scale.mean[a];
-      double half = (a11 * b2 - n.wu * b1) / (a11 * a22 - n.wu * n.wu);
-      half = std::max(half, smallest_half_extent);
-      boxes[k].half_extent[a] = half;
-      position[a] = (b1 - n.wu * half) / a11;  // the best position for that extent, clamped or not
-    }
-    boxes[k].centre = axes[k].transpose() * position;
+    move_and_scale(sums[k], part, options, boxes[k]);
+    if (options.turn_stddev > 0) turn(sums[k], part, options, boxes[k]);
   }
 }
 

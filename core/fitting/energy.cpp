@@ -12,7 +12,8 @@ namespace {
 
 // Equation 6 for one part. Differs from the paper: Student's t in place of a Gaussian, since a shape that is
 // stretched as a whole (a bench, from a chair) moves all parts by many deviations at once.
-double deformation(const TemplatePart& part, const Box& box, double tail) {
+double deformation(const TemplatePart& part, const Box& box, const FitOptions& options) {
+  const double tail = options.deformation_tail;
   const Mat3 axes = box.orientation.conjugate().toRotationMatrix();
   const Vec3 precision = axes.cwiseAbs2() * part.position.stddev.cwiseAbs2().cwiseInverse();
   const Vec3 moved = axes * (box.centre - part.position.mean);
@@ -21,6 +22,10 @@ double deformation(const TemplatePart& part, const Box& box, double tail) {
   for (int axis = 0; axis < 3; ++axis) {
     sum += tail * std::log1p(precision[axis] * moved[axis] * moved[axis] / tail);
     sum += tail * std::log1p(scaled[axis] * scaled[axis] / tail);
+  }
+  if (options.turn_stddev > 0) {
+    const Vec3 turned = turn_vector(part.orientation.conjugate() * box.orientation) / options.turn_stddev;
+    sum += tail * std::log1p(turned.squaredNorm() / tail);
   }
   return sum;
 }
@@ -63,7 +68,7 @@ FitEnergy fit_energy(const MatchedShape& shape, const PartTemplate& part_templat
       if (part.must_exist) energy.existence += missing_must_exist_energy;
       continue;
     }
-    energy.deformation += options.alpha * deformation(part, boxes[k], options.deformation_tail);
+    energy.deformation += options.alpha * deformation(part, boxes[k], options);
     for (auto t = shape.surface->begins[k]; t < shape.surface->begins[k + 1]; ++t) {
       to_shape += (boxes[k].to_world(shape.surface->local[t]) - shape.points[shape.matches->on_shape[t]])
                       .squaredNorm();

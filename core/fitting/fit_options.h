@@ -15,6 +15,7 @@ struct FitOptions {
   double distance_unit = 0.1;
   double alpha = 0.005;          // weight of the deformation, summed over parts and axes
   double deformation_tail = 16;  // in variances: deviations beyond it count less and less
+  double turn_stddev = 0.2;      // of the rotation of a box against its template's, in radians; 0: none
   double beta = 0.15;            // weight of smoothness
   double gamma = 0.5;            // weight of features
   double null_cost = 5.0;        // distance and feature cost of a point without a part

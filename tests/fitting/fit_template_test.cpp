@@ -91,6 +91,27 @@ TEST_CASE("boxes follow parts that moved and grew") {
   CHECK(after < 0.85 * before);  // all the way back would mean that the prior counts for nothing
 }
 
+TEST_CASE("boxes turn with parts that stand askew") {
+  const test::MadeShape shape = test::make_shape("chairs", plain_chairs(), 0);
+  PartTemplate part_template = test::template_from(shape);
+  const auto turned_by = [](const Box& a, const Box& b) {
+    return a.orientation.angularDistance(b.orientation);
+  };
+  // A template whose back leans by 15 degrees more than the shape's.
+  const auto back = std::ranges::max_element(part_template.parts, {},
+                                             [](const TemplatePart& each) { return each.position.mean.y(); });
+  const std::size_t part = static_cast<std::size_t>(back - part_template.parts.begin());
+  const Box upright = back->mean_box();
+  back->orientation = back->orientation * Eigen::Quaterniond(Eigen::AngleAxisd(0.26, Vec3::UnitX()));
+  FitOptions options;
+  const auto turned = fit_template(part_template, shape.samples, options);
+  options.turn_stddev = 0;
+  const auto stiff = fit_template(part_template, shape.samples, options);
+  CHECK(turned_by(turned->parts[part].box, upright) < 0.13);  // the prior holds it back
+  CHECK(turned_by(stiff->parts[part].box, back->mean_box()) == 0);
+  CHECK(turned->energy.total() < stiff->energy.total());
+}
+
 TEST_CASE("a part that must exist is missed dearly, one that need not costs little") {
   const test::MadeShape shape = test::make_shape("tables", {}, 1);
   PartTemplate part_template = test::template_from(shape);
