@@ -30,12 +30,6 @@ double prior_weight(const FitOptions& options, double precision, double squared_
   return options.alpha * precision / (1 + precision * squared_deviation / options.deformation_tail);
 }
 
-Eigen::Quaterniond rotation(const Vec3& vector) {
-  const double angle = vector.norm();
-  if (angle < 1e-12) return Eigen::Quaterniond::Identity();
-  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, vector / angle));
-}
-
 // The centre and half extents that minimise the energy for the box's axes as they stand.
 void move_and_scale(const Sums& sums, const TemplatePart& part, const FitOptions& options, Box& box) {
   const Mat3 axes = box.orientation.conjugate().toRotationMatrix();
@@ -83,7 +77,7 @@ void turn(const Sums& sums, const TemplatePart& part, const FitOptions& options,
   };
   const double now = energy(Eigen::Quaterniond::Identity());
   for (int halvings = 0; halvings < 4; ++halvings, step /= 2) {
-    const Eigen::Quaterniond by = rotation(step);
+    const Eigen::Quaterniond by = turn_rotation(step);
     if (energy(by) >= now) continue;
     box.orientation = (box.orientation * by).normalized();
     return;
@@ -97,6 +91,12 @@ Vec3 turn_vector(const Eigen::Quaterniond& turn) {
   const double sine = half.norm();
   if (sine < 1e-9) return 2 * half;
   return half * (2 * std::atan2(sine, std::abs(turn.w())) / sine);
+}
+
+Eigen::Quaterniond turn_rotation(const Vec3& vector) {
+  const double angle = vector.norm();
+  if (angle < 1e-12) return Eigen::Quaterniond::Identity();
+  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, vector / angle));
 }
 
 Vec3 rigid_step(const MatchedShape& shape, std::span<const Box> boxes) {

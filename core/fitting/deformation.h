@@ -30,6 +30,8 @@ inline constexpr double smallest_half_extent = 0.01;
 
 // The rotation as axis times angle (at most pi), in radians.
 Vec3 turn_vector(const Eigen::Quaterniond& turn);
+// Its inverse.
+Eigen::Quaterniond turn_rotation(const Vec3& vector);
 
 // The boxes that minimise E_data + alpha E_deform for given labels and correspondences. Derivation: the
 // target of a correspondence at box coordinate u on one axis is x = b_p + u b_s. With w = 1 / (|P_s| unit^2)

@@ -140,6 +140,7 @@ class Project {
 
   // Replaces the shape's fit; its labels and the picture of its parts, which came from the old one, go.
   void store_fit(const FitRecord& record);
+  void set_fit_status(ShapeId id, FitStatus status);  // its labels stay
   std::optional<FitRecord> fit(ShapeId id) const;
   std::vector<FitSummary> fits() const;  // ordered as shapes()
   void clear_fits();                     // and the labels

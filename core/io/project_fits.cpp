@@ -127,6 +127,15 @@ void Project::store_fit(const FitRecord& record) {
   scope.commit();
 }
 
+void Project::set_fit_status(ShapeId id, FitStatus status) {
+  WriteScope scope(*connection_->database);
+  Statement(*connection_->database, "UPDATE fits SET status = ? WHERE shape = ?")
+      .bind(to_string(status))
+      .bind(id)
+      .run();
+  scope.commit();
+}
+
 std::optional<FitRecord> Project::fit(ShapeId id) const {
   Database& database = *connection_->database;
   Statement row(database,

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/evaluation/label_elements.h"
 #include "core/fitting/fit_template.h"
+#include "core/fitting/template_choice.h"
 #include "core/session/commit_pace.h"
 #include "core/session/fit_state.h"
 #include "core/session/ordered_pipeline.h"
@@ -118,11 +119,14 @@ class FitRun {
 
   void find_best_fit(Work& work) const {
     std::optional<ShapeFit> best;
+    double least = 0;
     for (std::size_t t = 0; t < templates_.size(); ++t) {
       std::optional<ShapeFit> fit = fit_template(templates_[t], work.samples, options_, stop_only_);
       if (!fit) return;
       if (!std::isfinite(fit->energy.total())) throw NumericError("the fit has no finite energy");
-      if (best && fit->energy.total() >= best->energy.total()) continue;
+      const double energy = choice_energy(*fit, templates_[t], options_);
+      if (best && energy >= least) continue;
+      least = energy;
       best = std::move(fit);
       work.part_template = t;
     }

@@ -14,8 +14,8 @@ struct FitCollectionReport {
   bool cancelled = false;
 };
 
-// Each shape takes the template with the least energy. Fits and labels are stored as they are made, in
-// batches, so a stopped run goes on from there. `templates` become the current set of the project.
+// Each shape takes the template with the least choice_energy(). Fits and labels are stored as they are made,
+// in batches, so a stopped run goes on from there. `templates` become the current set of the project.
 FitCollectionReport fit_collection(Project& project, const std::vector<PartTemplate>& templates,
                                    const FitOptions& options, unsigned threads, const JobControl& control);
 

@@ -1,0 +1,50 @@
+// One round of section 4.2: fit, learn, spawn, and keep what is better.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/job_control.h"
+#include "core/fitting/fit_options.h"
+#include "core/learning/learn_options.h"
+#include "core/model/part_template.h"
+#include "core/model/shape.h"
+
+namespace archetype {
+
+struct LearnedTemplate {
+  PartTemplate part_template;
+  PartTemplate initial;  // what learning began with: the prior of every re-estimation; has the same parts
+};
+
+// What became of one template in a round.
+struct TemplateOrigin {
+  std::size_t parent = 0;  // its index before the round
+  bool changed = false;    // re-estimated or spawned
+};
+
+struct LearningRound {
+  std::vector<LearnedTemplate> templates;
+  std::vector<TemplateOrigin> origins;  // one per template
+  double energy_before = 0;  // mean choice energy over the judging shapes, with what the templates cost
+  double energy = 0;         // afterwards; never above energy_before
+
+  bool changed() const;
+};
+
+// Fits `templates` to all shapes, re-estimates each from its learning set, and spawns templates for clusters
+// of other arrangements. `judging` decides what is kept: a re-estimated template if the share
+// options.agreeing_share of the shapes that take it fit better, a spawned one if it lowers the energy of the
+// set by more than its parameters cost. `others` are only learned from. Templates that no shape takes stay.
+// Nothing if cancelled. Deterministic whatever the number of threads; about 2 fits per template and judging
+// shape and one per other shape.
+// Differs from the paper, which keeps every round's templates: so learning can leave a collection worse.
+std::optional<LearningRound> learning_round(std::span<const LearnedTemplate> templates,
+                                            std::span<const ShapeSamples> judging,
+                                            std::span<const ShapeSamples> others,
+                                            const FitOptions& fit_options, const LearnOptions& options,
+                                            unsigned threads, const JobControl& control);
+
+}  // namespace archetype

@@ -1,0 +1,283 @@
+// Rounds, their state in the project, and the fit at the end.
+#include "core/session/learn_templates.h"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/base/number_text.h"
+#include "core/base/random.h"
+#include "core/io/template_file.h"
+#include "core/learning/learning_round.h"
+#include "core/session/fit_state.h"
+
+namespace archetype {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// An outlier's energy is beyond this many times the bound of the learning set: the paper's 150 to 75.
+constexpr double outlier_factor = 2;
+
+struct State {
+  std::string request;   // what is learned from what, as a hash
+  bool settled = false;  // the last round kept nothing new
+  std::vector<LearningStep> steps;
+  std::vector<PartTemplate> start;  // what learning began with
+  std::vector<TemplateId> ids;
+  std::vector<LearnedTemplate> templates;
+};
+
+std::string request_hash(const Project& project, const std::vector<PartTemplate>& initial,
+                         const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed) {
+  // Taken apart by position, so that an option which is added there and forgotten here does not compile.
+  const auto& [iterations, sample_size, learning_share, tau, means, spreads, feature_spread, agreeing_share,
+               cluster_share, smallest_cluster, noise] = options;
+  std::string text = fit_state(initial, fit_options).to_hex() + "\n" + std::to_string(seed) + "\n";
+  for (const double value :
+       {static_cast<double>(iterations), static_cast<double>(sample_size), learning_share, tau, means,
+        spreads, feature_spread, agreeing_share, cluster_share, static_cast<double>(smallest_cluster), noise})
+    text += number_text(value) + "\n";
+  for (const ShapeRecord& shape : project.shapes())
+    text.append(shape.name).append(" ").append(shape.hash.to_hex()).append("\n");
+  return hash_content(std::as_bytes(std::span(text))).to_hex();
+}
+
+void store_state(Project& project, const State& state) {
+  Json json{{"request", state.request}, {"settled", state.settled}, {"templates", state.ids}};
+  json["start"] = Json::array();
+  for (const PartTemplate& each : state.start) json["start"].push_back(format_template(each));
+  json["initial"] = Json::array();
+  for (const LearnedTemplate& each : state.templates)
+    json["initial"].push_back(format_template(each.initial));
+  json["steps"] = Json::array();
+  for (const LearningStep& step : state.steps) {
+    json["steps"].push_back({{"iteration", step.iteration},
+                             {"templates", step.templates},
+                             {"energy_before", step.energy_before},
+                             {"energy", step.energy}});
+  }
+  project.set_setting(std::string(learn_state_setting), json.dump());
+}
+
+// Nothing if there is none, or what the file holds is not one: then learning starts over.
+std::optional<State> stored_state(const Project& project) {
+  const std::optional<std::string> text = project.setting(std::string(learn_state_setting));
+  if (!text) return std::nullopt;
+  try {
+    const Json json = Json::parse(*text);
+    State state;
+    state.request = json.at("request").get<std::string>();
+    state.settled = json.at("settled").get<bool>();
+    for (const Json& each : json.at("start"))
+      state.start.push_back(parse_template(each.get<std::string>(), "learn.state"));
+    state.ids = json.at("templates").get<std::vector<TemplateId>>();
+    for (std::size_t t = 0; t < state.ids.size(); ++t) {
+      std::optional<TemplateRecord> record = project.find_template(state.ids[t]);
+      if (!record) return std::nullopt;
+      PartTemplate initial = parse_template(json.at("initial").at(t).get<std::string>(), "learn.state");
+      if (initial.parts.size() != record->part_template.parts.size()) return std::nullopt;
+      state.templates.push_back({std::move(record->part_template), std::move(initial)});
+    }
+    for (const Json& step : json.at("steps"))
+      state.steps.push_back({step.at("iteration").get<int>(), step.at("templates").get<std::size_t>(),
+                             step.at("energy_before").get<double>(), step.at("energy").get<double>()});
+    return state;
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+// The first `count` of the items in an order that the seed decides.
+std::vector<ShapeId> draw(std::vector<ShapeId> items, std::size_t count, std::uint64_t seed) {
+  RandomStream random(seed);
+  count = std::min(count, items.size());
+  for (std::size_t i = 0; i < count; ++i) std::swap(items[i], items[i + random.below(items.size() - i)]);
+  items.resize(count);
+  std::ranges::sort(items);
+  return items;
+}
+
+class LearnRun {
+ public:
+  LearnRun(Project& project, const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed,
+           unsigned threads, const JobControl& control)
+      : project_(project),
+        fit_options_(fit_options),
+        options_(options),
+        seed_(seed),
+        threads_(threads),
+        control_(control) {}
+
+  LearnReport run(const std::vector<PartTemplate>& initial, bool fresh) {
+    begin(initial, fresh);
+    const bool all = learn();
+    report_.steps = state_.steps;
+    report_.cancelled = !all;
+    if (!all) return std::move(report_);
+    std::vector<PartTemplate> learned;
+    for (const LearnedTemplate& each : state_.templates) learned.push_back(each.part_template);
+    report_.fit = fit_collection(project_, learned, fit_options_, threads_, control_);
+    report_.cancelled = report_.fit.cancelled;
+    if (!report_.cancelled) mark_fits();
+    return std::move(report_);
+  }
+
+ private:
+  void begin(const std::vector<PartTemplate>& initial, bool fresh) {
+    const std::string request = request_hash(project_, initial, fit_options_, options_, seed_);
+    if (!fresh) {
+      std::optional<State> stored = stored_state(project_);
+      if (stored && stored->request == request) {
+        state_ = std::move(*stored);
+        return;
+      }
+    }
+    Project::Transaction transaction(project_);
+    const std::vector<TemplateRecord> current = project_.templates();
+    for (const PartTemplate& each : initial) {
+      const auto same = std::ranges::find(current, each, &TemplateRecord::part_template);
+      TemplateRecord record;
+      record.part_template = each;
+      state_.ids.push_back(same != current.end() ? same->id : project_.add_template(record));
+      state_.templates.push_back({each, each});
+    }
+    state_.request = request;
+    state_.start = initial;
+    project_.set_current_templates(state_.ids);
+    store_state(project_, state_);
+    transaction.commit();
+  }
+
+  // False if cancelled.
+  bool learn() {
+    const std::vector<ShapeId> shapes = project_.shape_ids();
+    // A small collection judges as a whole.
+    const bool small = shapes.size() <= 2 * options_.sample_size;
+    const std::vector<ShapeId> judges =
+        small ? shapes : draw(shapes, options_.sample_size, derive_seed(seed_, 0));
+    std::vector<ShapeId> rest;
+    for (const ShapeId id : shapes) {
+      if (!std::ranges::binary_search(judges, id)) rest.push_back(id);
+    }
+    std::vector<ShapeSamples> judging;
+    if (!state_.settled && !load(judges, judging)) return false;
+    while (!state_.settled && static_cast<int>(state_.steps.size()) < options_.iterations) {
+      const int iteration = static_cast<int>(state_.steps.size()) + 1;
+      std::vector<ShapeSamples> others;
+      const auto key = static_cast<std::uint64_t>(iteration);
+      if (!load(draw(rest, options_.sample_size, derive_seed(seed_, key)), others)) return false;
+      const auto round = learning_round(state_.templates, judging, others, fit_options_, options_, threads_,
+                                        round_control(iteration));
+      if (!round) return false;
+      keep(*round, iteration);
+    }
+    return true;
+  }
+
+  bool load(const std::vector<ShapeId>& ids, std::vector<ShapeSamples>& samples) const {
+    for (const ShapeId id : ids) {
+      if (control_.cancelled()) return false;
+      samples.push_back(project_.samples(id));
+    }
+    return true;
+  }
+
+  // Says which round it is; the rounds to come count as long as this one.
+  JobControl round_control(int iteration) const {
+    JobControl round;
+    round.stop = control_.stop;
+    const std::string what = "learning, round " + std::to_string(iteration) +
+                             ", templates: " + std::to_string(state_.templates.size());
+    round.report = [this, what](std::size_t done, std::size_t total, std::string_view) {
+      control_.progress(done, total, what);
+    };
+    return round;
+  }
+
+  // One transaction a round.
+  void keep(const LearningRound& round, int iteration) {
+    Project::Transaction transaction(project_);
+    std::vector<TemplateId> ids;
+    for (std::size_t t = 0; t < round.templates.size(); ++t) {
+      const TemplateOrigin& origin = round.origins[t];
+      const TemplateId parent = state_.ids[origin.parent];
+      if (!origin.changed) {
+        ids.push_back(parent);
+        continue;
+      }
+      TemplateRecord record;
+      record.part_template = round.templates[t].part_template;
+      record.iteration = iteration;
+      record.parent = parent;
+      ids.push_back(project_.add_template(record));
+    }
+    state_.ids = ids;
+    state_.templates = round.templates;
+    state_.settled = !round.changed();
+    state_.steps.push_back({iteration, ids.size(), round.energy_before, round.energy});
+    project_.set_current_templates(ids);
+    store_state(project_, state_);
+    transaction.commit();
+  }
+
+  // Which fits the templates stand for, and which they do not explain.
+  void mark_fits() {
+    const std::vector<FitSummary> fits = project_.fits();
+    std::map<TemplateId, double> least;
+    for (const FitSummary& fit : fits) {
+      const auto [entry, fresh] = least.try_emplace(fit.part_template, fit.energy.total());
+      entry->second = std::min(entry->second, fit.energy.total());
+    }
+    Project::Transaction transaction(project_);
+    for (const FitSummary& fit : fits) {
+      const double bound = options_.tau * least[fit.part_template];
+      FitStatus status = FitStatus::fitted;
+      if (fit.energy.total() <= bound) status = FitStatus::learned;
+      if (fit.energy.total() > outlier_factor * bound) status = FitStatus::outlier;
+      report_.learned += status == FitStatus::learned;
+      report_.outliers += status == FitStatus::outlier;
+      if (status != fit.status) project_.set_fit_status(fit.shape, status);
+    }
+    transaction.commit();
+  }
+
+  Project& project_;
+  const FitOptions& fit_options_;
+  const LearnOptions& options_;
+  std::uint64_t seed_;
+  unsigned threads_;
+  const JobControl& control_;
+  State state_;
+  LearnReport report_;
+};
+
+}  // namespace
+
+std::vector<PartTemplate> learning_start(const Project& project) {
+  std::vector<TemplateId> ids;
+  std::vector<PartTemplate> current;
+  for (TemplateRecord& record : project.templates()) {
+    ids.push_back(record.id);
+    current.push_back(std::move(record.part_template));
+  }
+  std::optional<State> stored = stored_state(project);
+  if (stored && stored->ids == ids) return std::move(stored->start);
+  return current;
+}
+
+LearnReport learn_templates(Project& project, const std::vector<PartTemplate>& initial,
+                            const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed,
+                            bool fresh, unsigned threads, const JobControl& control) {
+  if (initial.empty()) throw PreconditionError("there is no template to learn from");
+  if (project.shape_count() == 0) throw PreconditionError("there is no shape to learn from");
+  return LearnRun(project, fit_options, options, seed, threads, control).run(initial, fresh);
+}
+
+}  // namespace archetype

@@ -1,0 +1,42 @@
+// Learns templates from the shapes of a project (section 4.2 and figure 2).
+#pragma once
+
+#include "core/learning/learn_options.h"
+#include "core/session/fit_collection.h"
+
+namespace archetype {
+
+// What one round found.
+struct LearningStep {
+  int iteration = 0;  // from 1
+  std::size_t templates = 0;
+  double energy_before = 0;  // as in LearningRound
+  double energy = 0;
+};
+
+struct LearnReport {
+  std::vector<LearningStep> steps;  // also those of a stopped run that this one went on from
+  FitCollectionReport fit;          // of the learned templates to the whole collection
+  std::size_t learned = 0;          // shapes that the templates were learned from, or could have been
+  std::size_t outliers = 0;         // shapes that no template explains
+  bool cancelled = false;
+};
+
+// The key of the project's setting that says how far learning has come.
+inline constexpr std::string_view learn_state_setting = "learn.state";
+
+// What to learn from where nothing else is said: the current templates, or, where these were learned, what
+// that learning began with. Empty for a project without templates.
+std::vector<PartTemplate> learning_start(const Project& project);
+
+// Refines and spawns templates round by round until a round keeps nothing new, then fits what was learned to
+// every shape and labels it. A round is one transaction: its templates become the current ones and remember
+// their parents and the round. A stopped run goes on there, and ends with the same bytes as one that was not
+// stopped, if templates, options, seed and shapes are the same; `fresh` starts over. Works on
+// options.sample_size random shapes that judge each round, and as many that change; holds only these. Throws
+// PreconditionError without templates or shapes.
+LearnReport learn_templates(Project& project, const std::vector<PartTemplate>& initial,
+                            const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed,
+                            bool fresh, unsigned threads, const JobControl& control);
+
+}  // namespace archetype
