@@ -49,9 +49,11 @@ class Round {
     for (std::size_t t = 0; t < count; ++t) {
       if (!try_update(t)) return std::nullopt;
     }
+    // A template that still moves would only spawn what it is about to become.
     for (std::size_t t = 0; t < count; ++t) {
-      if (!try_children(t)) return std::nullopt;
+      if (!result_.origins[t].changed && !try_children(t)) return std::nullopt;
     }
+    drop_unused();
     result_.energy = mean_energy();
     return std::move(result_);
   }
@@ -91,17 +93,29 @@ class Round {
     return true;
   }
 
-  // Of the judging shapes, with what the parameters of the templates cost: the energies are negative log
-  // likelihoods in units of 2 alpha, and a parameter costs half the logarithm of the number of shapes (BIC).
+  // Of the judging shapes, with what the parameters of the templates cost.
   double mean_energy() const {
+    if (judging_.empty()) return 0;
     double sum = 0;
-    for (std::size_t i = 0; i < judging_.size(); ++i) sum += taken_[i].choice;
-    for (const LearnedTemplate& each : result_.templates) sum += cost(each.part_template);
-    return judging_.empty() ? 0 : sum / static_cast<double>(judging_.size());
+    std::vector<std::size_t> members(result_.templates.size(), 0);
+    for (std::size_t i = 0; i < judging_.size(); ++i) {
+      sum += taken_[i].choice;
+      ++members[taken_[i].part_template];
+    }
+    for (std::size_t t = 0; t < members.size(); ++t)
+      sum += cost(result_.templates[t].part_template, members[t]);
+    return sum / static_cast<double>(judging_.size());
   }
-  double cost(const PartTemplate& part_template) const {
-    const auto parameters = 12 * static_cast<double>(part_template.parts.size());
-    return fit_options_.alpha * parameters * std::log(static_cast<double>(judging_.size()));
+
+  // The Bayesian information criterion: energies are negative log likelihoods in units of 2 alpha, and a free
+  // parameter costs half the logarithm of the number of shapes. Six means and six spreads a part are free as
+  // far as the shapes outweigh what was known before.
+  double cost(const PartTemplate& part_template, std::size_t members) const {
+    const auto m = static_cast<double>(members);
+    const double free = 6 * m / (m + options_.prior_shapes_of_means + 1e-9) +
+                        6 * m / (m + options_.prior_shapes_of_spreads + 1e-9);
+    return fit_options_.alpha * free * static_cast<double>(part_template.parts.size()) *
+           std::log(static_cast<double>(judging_.size()));
   }
 
   // The observations of the shapes that template `t` is learned from, the best fits first.
@@ -149,15 +163,18 @@ class Round {
     return true;
   }
 
-  // Templates for all clusters of the shapes that take `t` but the largest. False if cancelled.
+  // Templates for the clusters of the shapes that take `t`. Differs from the paper, which looks for them in
+  // the learning set: benches fit a chair badly, and that is what makes them a cluster. False if cancelled.
   bool try_children(std::size_t t) {
-    const auto observed = learning_set(t);
-    const auto clusters = arrangement_clusters(observed, options_);
-    for (std::size_t c = 1; c < clusters.size(); ++c) {
+    std::vector<std::vector<PartObservation>> observed;
+    for (const Sighting& each : taken_) {
+      if (each.part_template == t && !each.parts.empty()) observed.push_back(each.parts);
+    }
+    for (const auto& cluster : arrangement_clusters(observed, options_)) {
       const auto share = options_.cluster_share * static_cast<double>(observed.size());
-      if (static_cast<double>(clusters[c].size()) < share) continue;
+      if (cluster.size() == observed.size() || static_cast<double>(cluster.size()) < share) continue;
       std::vector<std::vector<PartObservation>> members;
-      for (const std::size_t i : clusters[c]) members.push_back(observed[i]);
+      for (const std::size_t i : cluster) members.push_back(observed[i]);
       if (!try_child(t, members)) return false;
     }
     return true;
@@ -171,20 +188,47 @@ class Round {
     const std::size_t t = result_.templates.size();
     std::vector<Sighting> sightings;
     if (!fit(child.part_template, t, judging_.size(), sightings)) return false;
-    double gain = -cost(child.part_template);
+    double gain = -cost(child.part_template, members.size());
     std::size_t moved = 0;
+    bool parent_stays = false;
     for (std::size_t i = 0; i < judging_.size(); ++i) {
-      if (sightings[i].choice >= taken_[i].choice) continue;
-      gain += taken_[i].choice - sightings[i].choice;
-      ++moved;
+      if (sightings[i].choice < taken_[i].choice) {
+        gain += taken_[i].choice - sightings[i].choice;
+        ++moved;
+      } else if (taken_[i].part_template == parent) {
+        parent_stays = true;
+      }
     }
-    if (gain <= 0 || moved < options_.smallest_cluster) return true;
+    // One that takes all shapes of its parent is no second template but an update, which try_update()
+    // refused.
+    if (gain <= 0 || moved < options_.smallest_cluster || !parent_stays) return true;
     result_.templates.push_back(std::move(child));
     result_.origins.push_back({parent, true});
     for (std::size_t i = 0; i < judging_.size(); ++i) {
       if (sightings[i].choice < taken_[i].choice) taken_[i] = std::move(sightings[i]);
     }
     return true;
+  }
+
+  // Children may have taken all shapes of their parent.
+  void drop_unused() {
+    std::vector<std::size_t> members(result_.templates.size(), 0);
+    for (std::size_t i = 0; i < judging_.size(); ++i) ++members[taken_[i].part_template];
+    std::vector<std::size_t> now(members.size(), 0);
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < members.size(); ++t) {
+      if (members[t] == 0) {
+        result_.dropped = true;
+        continue;
+      }
+      now[t] = kept;
+      if (kept != t) result_.templates[kept] = std::move(result_.templates[t]);
+      result_.origins[kept] = result_.origins[t];
+      ++kept;
+    }
+    result_.templates.resize(kept);
+    result_.origins.resize(kept);
+    for (std::size_t i = 0; i < judging_.size(); ++i) taken_[i].part_template = now[taken_[i].part_template];
   }
 
   // A part that none of the shapes has is not a part of their template. Takes it out of `members` as well.
@@ -222,7 +266,7 @@ class Round {
 }  // namespace
 
 bool LearningRound::changed() const {
-  return std::ranges::any_of(origins, &TemplateOrigin::changed);
+  return dropped || std::ranges::any_of(origins, &TemplateOrigin::changed);
 }
 
 std::optional<LearningRound> learning_round(std::span<const LearnedTemplate> templates,

@@ -28,6 +28,7 @@ struct TemplateOrigin {
 struct LearningRound {
   std::vector<LearnedTemplate> templates;
   std::vector<TemplateOrigin> origins;  // one per template
+  bool dropped = false;                 // a template that no judging shape takes was left out
   double energy_before = 0;  // mean choice energy over the judging shapes, with what the templates cost
   double energy = 0;         // afterwards; never above energy_before
 
@@ -37,10 +38,10 @@ struct LearningRound {
 // Fits `templates` to all shapes, re-estimates each from its learning set, and spawns templates for clusters
 // of other arrangements. `judging` decides what is kept: a re-estimated template if the share
 // options.agreeing_share of the shapes that take it fit better, a spawned one if it lowers the energy of the
-// set by more than its parameters cost. `others` are only learned from. Templates that no shape takes stay.
-// Nothing if cancelled. Deterministic whatever the number of threads; about 2 fits per template and judging
-// shape and one per other shape.
-// Differs from the paper, which keeps every round's templates: so learning can leave a collection worse.
+// set by more than its parameters cost. `others` are only learned from. Templates that no judging shape takes
+// are dropped. Nothing if cancelled. Deterministic whatever the number of threads; about 2 fits per template
+// and judging shape and one per other shape. Differs from the paper, which keeps every round's templates: so
+// learning can leave a collection worse.
 std::optional<LearningRound> learning_round(std::span<const LearnedTemplate> templates,
                                             std::span<const ShapeSamples> judging,
                                             std::span<const ShapeSamples> others,
