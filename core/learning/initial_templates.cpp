@@ -6,12 +6,15 @@
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/fitting/fit_template.h"
+#include "core/learning/join_segmentations.h"
 #include "core/learning/mirror_symmetry.h"
 #include "core/learning/template_from_boxes.h"
 
 namespace archetype {
 
 namespace {
+
+constexpr std::size_t joined_bases = 3;  // candidates that get the parts of other shapes
 
 class Search {
  public:
@@ -40,24 +43,28 @@ class Search {
     return candidates;
   }
 
-  bool score(std::vector<PartTemplate> candidates) {
-    const std::size_t each = shapes_.scored.size();
-    std::vector<double> energies(candidates.size() * each);
-    const bool all = parallel_for(energies.size(), threads_, control_, "scoring", [&](std::size_t i) {
-      const std::optional<ShapeFit> fit =
-          fit_template(candidates[i / each], shapes_.samples[shapes_.scored[i % each]], {}, stop_only_);
-      if (fit) energies[i] = fit->energy.total();
-    });
-    if (!all || control_.cancelled()) return false;
-    for (std::size_t c = 0; c < candidates.size(); ++c) {
-      InitialTemplate result;
-      for (std::size_t i = 0; i < each; ++i)
-        result.mean_energy += energies[c * each + i] / static_cast<double>(each);
-      result.score =
-          result.mean_energy + options_.part_cost * static_cast<double>(candidates[c].parts.size());
-      result.part_template = std::move(candidates[c]);
-      ranked_.push_back(std::move(result));
+  bool score_all(std::vector<PartTemplate> candidates) {
+    for (PartTemplate& candidate : candidates) {
+      std::optional<InitialTemplate> scored = score(std::move(candidate));
+      if (!scored) return false;
+      ranked_.push_back(std::move(*scored));
+      control_.progress(ranked_.size(), candidates.size(), "scoring");
     }
+    std::ranges::stable_sort(ranked_, {}, &InitialTemplate::score);
+    return true;
+  }
+
+  // The best candidates so far, each with the parts of other shapes that lower its score.
+  bool join() {
+    std::vector<InitialTemplate> joined;
+    const std::size_t bases = std::min(joined_bases, ranked_.size());
+    for (std::size_t c = 0; c < bases; ++c) {
+      std::optional<InitialTemplate> candidate = joined_from(ranked_[c].part_template);
+      if (!candidate) return false;
+      if (candidate->score < ranked_[c].score) joined.push_back(std::move(*candidate));
+      control_.progress(c + 1, bases, "joining");
+    }
+    std::ranges::move(joined, std::back_inserter(ranked_));
     std::ranges::stable_sort(ranked_, {}, &InitialTemplate::score);
     return true;
   }
@@ -68,6 +75,52 @@ class Search {
   }
 
  private:
+  std::optional<std::vector<ShapeFit>> fit_all(const PartTemplate& part_template,
+                                               const std::vector<std::size_t>& to) const {
+    std::vector<ShapeFit> fits(to.size());
+    parallel_for(to.size(), threads_, stop_only_, "fitting", [&](std::size_t i) {
+      std::optional<ShapeFit> fit = fit_template(part_template, shapes_.samples[to[i]], {}, stop_only_);
+      if (fit) fits[i] = std::move(*fit);
+    });
+    if (control_.cancelled()) return std::nullopt;
+    return fits;
+  }
+
+  std::optional<InitialTemplate> score(PartTemplate candidate) const {
+    const std::optional<std::vector<ShapeFit>> fits = fit_all(candidate, shapes_.scored);
+    if (!fits) return std::nullopt;
+    InitialTemplate result;
+    // The part cost stands for the existence term, which would count every optional part twice.
+    for (const ShapeFit& fit : *fits) result.mean_energy += fit.energy.total() - fit.energy.existence;
+    result.mean_energy /= static_cast<double>(fits->size());
+    result.score = result.mean_energy + options_.part_cost * static_cast<double>(candidate.parts.size());
+    result.part_template = std::move(candidate);
+    return result;
+  }
+
+  // Takes all recurring parts, since those of one pair need each other, and gives up again each that does not
+  // lower the score, the rarest first.
+  std::optional<InitialTemplate> joined_from(const PartTemplate& base) const {
+    const auto fits = fit_all(base, shapes_.segmented);
+    if (!fits) return std::nullopt;
+    std::vector<AlignedSegmentation> aligned;
+    for (std::size_t i = 0; i < fits->size(); ++i) aligned.push_back({&segmentations_[i], &(*fits)[i]});
+    PartTemplate joined = base;
+    joined.name = "joined, " + base.name;
+    std::ranges::move(recurring_parts(aligned), std::back_inserter(joined.parts));
+    name_parts(joined);
+    std::optional<InitialTemplate> best = score(std::move(joined));
+    for (std::size_t k = best ? best->part_template.parts.size() : 0; k-- > base.parts.size();) {
+      PartTemplate without = best->part_template;
+      without.parts.erase(without.parts.begin() + static_cast<std::ptrdiff_t>(k));
+      name_parts(without);
+      std::optional<InitialTemplate> scored = score(std::move(without));
+      if (!scored) return std::nullopt;
+      if (scored->score <= best->score) best = std::move(scored);
+    }
+    return best;
+  }
+
   const InitialShapes& shapes_;
   const InitialTemplateOptions& options_;
   unsigned threads_;
@@ -84,7 +137,8 @@ std::optional<std::vector<InitialTemplate>> initial_templates(const InitialShape
                                                               unsigned threads, const JobControl& control) {
   Search search(shapes, options, threads, control);
   if (!search.segment() || control.cancelled()) return std::nullopt;
-  if (!search.score(search.single_candidates())) return std::nullopt;
+  if (!search.score_all(search.single_candidates())) return std::nullopt;
+  if (!search.join()) return std::nullopt;
   return search.best();
 }
 

@@ -29,7 +29,7 @@ struct InitialShapes {
 
 struct InitialTemplate {
   PartTemplate part_template;
-  double mean_energy = 0;  // of its fits to the scored shapes
+  double mean_energy = 0;  // of its fits to the scored shapes, without the existence term
   double score = 0;        // mean_energy + part_cost x parts; less is better
 };
 
