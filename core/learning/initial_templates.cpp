@@ -2,9 +2,10 @@
 #include "core/learning/initial_templates.h"
 
 #include <algorithm>
+#include <numbers>
+#include <ranges>
 
 #include "core/base/parallel.h"
-#include "core/base/random.h"
 #include "core/fitting/fit_template.h"
 #include "core/learning/join_segmentations.h"
 #include "core/learning/mirror_symmetry.h"
@@ -15,6 +16,40 @@ namespace archetype {
 namespace {
 
 constexpr std::size_t joined_bases = 3;  // candidates that get the parts of other shapes
+
+// Boxes of near duplicates lie this near to each other, as a share of their size and in normalised units.
+constexpr double duplicate_reach_share = 0.1;
+constexpr double smallest_duplicate_reach = 0.05;
+
+// Whether each part of one template has its own counterpart in the other, turned by quarters.
+bool nearly_same(const PartTemplate& a, const PartTemplate& b, int quarters) {
+  if (a.parts.size() != b.parts.size()) return false;
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(-quarters * std::numbers::pi / 2, Vec3::UnitY()));
+  std::vector<bool> taken(b.parts.size(), false);
+  return std::ranges::all_of(a.parts, [&](const TemplatePart& part) {
+    const Box box = with_nearest_axes({turn_quarters(part.position.mean, -quarters), part.scale.mean,
+                                       (turn * part.orientation).normalized()});
+    const double reach = smallest_duplicate_reach + duplicate_reach_share * box.half_extent.norm();
+    for (std::size_t k = 0; k < taken.size(); ++k) {
+      if (taken[k] || box_distance(box, b.parts[k].mean_box()) > reach) continue;
+      taken[k] = true;
+      return true;
+    }
+    return false;
+  });
+}
+
+// Existence becomes the share of the fits that have the part, but for parts that must exist.
+void set_existence(PartTemplate& part_template, const std::vector<ShapeFit>& fits) {
+  constexpr double least = 0.05;  // another shape may have what these lack
+  for (std::size_t k = 0; k < part_template.parts.size(); ++k) {
+    if (part_template.parts[k].must_exist) continue;
+    const auto having =
+        std::ranges::count_if(fits, [k](const ShapeFit& fit) { return fit.parts[k].present; });
+    part_template.parts[k].existence =
+        std::max(static_cast<double>(having) / static_cast<double>(fits.size()), least);
+  }
+}
 
 class Search {
  public:
@@ -69,9 +104,19 @@ class Search {
     return true;
   }
 
+  // Without those that are nearly the same as a better one.
   std::vector<InitialTemplate> best() {
-    if (ranked_.size() > options_.candidates) ranked_.resize(options_.candidates);
-    return std::move(ranked_);
+    std::vector<InitialTemplate> kept;
+    for (InitialTemplate& candidate : ranked_) {
+      if (kept.size() >= options_.candidates) break;
+      const bool known = std::ranges::any_of(kept, [&](const InitialTemplate& better) {
+        return std::ranges::any_of(std::views::iota(0, 4), [&](int quarters) {
+          return nearly_same(candidate.part_template, better.part_template, quarters);
+        });
+      });
+      if (!known) kept.push_back(std::move(candidate));
+    }
+    return kept;
   }
 
  private:
@@ -94,6 +139,7 @@ class Search {
     for (const ShapeFit& fit : *fits) result.mean_energy += fit.energy.total() - fit.energy.existence;
     result.mean_energy /= static_cast<double>(fits->size());
     result.score = result.mean_energy + options_.part_cost * static_cast<double>(candidate.parts.size());
+    set_existence(candidate, *fits);
     result.part_template = std::move(candidate);
     return result;
   }
