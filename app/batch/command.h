@@ -32,6 +32,7 @@ void add_common_options(CLI::App& command, Invocation& invocation);
 void add_json_option(CLI::App& command, Invocation& invocation);
 
 void add_import_command(CLI::App& app, Invocation& invocation);
+void add_init_command(CLI::App& app, Invocation& invocation);
 void add_fit_command(CLI::App& app, Invocation& invocation);
 void add_learn_command(CLI::App& app, Invocation& invocation);
 void add_evaluate_command(CLI::App& app, Invocation& invocation);

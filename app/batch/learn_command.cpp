@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/io/template_file.h"
 #include "core/session/learn_templates.h"
+#include "core/session/suggest_templates.h"
 
 namespace archetype {
 
@@ -63,6 +64,17 @@ void print_report(const Project& project, const LearnReport& report, const Invoc
             << std::endl;
 }
 
+// Of a project without a template, as `archetype init` makes it. Empty when cancelled.
+std::vector<PartTemplate> suggest_best(Project& project, const Invocation& invocation,
+                                       const JobControl& control) {
+  SuggestOptions options;
+  options.seed = invocation.seed;
+  const Suggestions suggestions = suggest_templates(project, options, invocation.threads, control);
+  if (suggestions.templates.empty()) return {};
+  store_suggestions(project, suggestions);
+  return {suggestions.templates.front().part_template};
+}
+
 int run_learn(const Arguments& arguments, const Invocation& invocation) {
   std::vector<PartTemplate> templates;
   templates.reserve(arguments.templates.size());
@@ -71,11 +83,13 @@ int run_learn(const Arguments& arguments, const Invocation& invocation) {
   if (project.shape_count() == 0)
     throw FileError(arguments.project, "has no shape yet; add some with `archetype import`");
   if (templates.empty()) templates = learning_start(project);
-  if (templates.empty())
-    throw FileError(arguments.project, "has no template yet; give one with --template FILE");
   LearnReport report;
   {
     Progress progress;
+    if (templates.empty()) {
+      templates = suggest_best(project, invocation, progress.control(invocation.stop));
+      if (templates.empty()) return exit_code::stopped;
+    }
     report = learn_templates(project, templates, {}, arguments.options, invocation.seed, arguments.fresh,
                              invocation.threads, progress.control(invocation.stop));
   }
@@ -93,7 +107,8 @@ void add_learn_command(CLI::App& app, Invocation& invocation) {
   command->add_option("PROJECT", arguments->project, "Project file")->required();
   command
       ->add_option("--template", arguments->templates,
-                   "Template file to begin with; may be repeated. Default: the project's")
+                   "Template file to begin with; may be repeated. Default: the project's, or the best that "
+                   "`init` finds")
       ->type_name("FILE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

@@ -20,6 +20,7 @@ int parse_and_run(int argc, char** argv, Invocation& invocation) {
   app.footer(
       "Exit status: 0 done; 1 failed; 2 wrong usage; 3 done, but some inputs were refused; 130 stopped.");
   add_import_command(app, invocation);
+  add_init_command(app, invocation);
   add_learn_command(app, invocation);
   add_fit_command(app, invocation);
   add_evaluate_command(app, invocation);

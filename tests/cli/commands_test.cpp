@@ -7,6 +7,7 @@
 
 #include "core/base/number_text.h"
 #include "core/io/file.h"
+#include "core/io/project.h"
 #include "core/io/read_shape.h"
 #include "core/io/template_file.h"
 #include "tests/cli/program.h"
@@ -264,4 +265,48 @@ TEST_CASE("the batch program links nothing of OpenGL or of a window system") {
        {"libGL", "libOpenGL", "libEGL", "libGLX", "libepoxy", "libglfw", "libX11", "libwayland"}) {
     CHECK(libraries.find(never) == std::string::npos);
   }
+}
+
+TEST_CASE("templates are suggested, ranked and stored, the best one to be fitted with") {
+  const Fixture fixture(5);
+  CHECK(run_archetype({"init", fixture.project}).exit_code == 1);
+  require_run({"import", fixture.project, fixture.shapes, "--points", "150"});
+  Finished run = run_archetype({"init", fixture.project, "--shapes", "3", "--candidates", "2", "--json"});
+  CHECK(run.exit_code == 0);
+  const auto report = nlohmann::json::parse(run.out);
+  CHECK(report.at("segmented") == 3);
+  CHECK(report.at("scored") == 5);
+  REQUIRE(report.at("templates").size() == 2);
+  CHECK(report.at("templates")[0].at("score") <= report.at("templates")[1].at("score"));
+  {
+    const archetype::Project project = archetype::Project::open(fixture.project);
+    CHECK(project.templates(false).size() == 2);
+    REQUIRE(project.templates().size() == 1);
+    CHECK(project.templates()[0].part_template.name == report.at("templates")[0].at("name"));
+  }
+  run = run_archetype({"fit", fixture.project});
+  CHECK(run.out == "fitted 5, kept 0, refused 0\n");
+
+  run = run_archetype({"init", fixture.project, "--shapes", "2", "--parts", "3:5"});
+  CHECK(run.exit_code == 0);
+  CHECK(run.out.find("mean energy") != std::string::npos);
+  for (const char* wrong : {"5:3", "0:4", "3:", "a", "2:100"}) {
+    CHECK(run_archetype({"init", fixture.project, "--parts", wrong}).exit_code == 2);
+  }
+}
+
+TEST_CASE("suggested templates do not depend on the threads or the order of import") {
+  const Fixture fixture(4);
+  const auto suggested = [&](const std::string& project, const std::string& threads) {
+    return run_archetype({"init", project, "--threads", threads, "--json"}).out;
+  };
+  require_run({"import", fixture.project, fixture.shapes, "--points", "100"});
+  const std::string reordered = (fixture.folder.path() / "q.archetype").string();
+  for (const char* index : {"2", "0", "3", "1"}) {
+    require_run({"import", reordered, fixture.shapes + "/chair_0000" + index + ".off", "--points", "100"});
+  }
+  const std::string once = suggested(fixture.project, "1");
+  CHECK(once == suggested(fixture.project, "2"));
+  CHECK(once == suggested(fixture.project, "8"));
+  CHECK(once == suggested(reordered, "2"));
 }

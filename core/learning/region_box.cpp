@@ -1,0 +1,96 @@
+// Two boxes for each region, the cheaper one is taken.
+#include "core/learning/region_box.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/kd_tree.h"
+
+namespace archetype {
+
+namespace {
+
+// Half extents that a flat region does not have, in units of the spacing of the samples.
+constexpr double smallest_half = 0.25;
+
+// A turned box has to be this much cheaper: turned boxes of neighbouring parts, and of the same part on other
+// shapes, agree less.
+constexpr double turned_handicap = 1.25;
+
+Box box_along(const Eigen::Quaterniond& orientation, std::span<const Vec3> points, double spacing) {
+  Bounds bounds;
+  for (const Vec3& p : points) bounds.add(orientation.conjugate() * p);
+  return {orientation * bounds.centre(), bounds.half_extent().cwiseMax(smallest_half * spacing), orientation};
+}
+
+// The principal axes, each called after the axis of the shape that it is nearest to, so that a region that
+// stands nearly along these axes is turned little.
+Eigen::Quaterniond principal_axes(std::span<const Vec3> points) {
+  Vec3 mean = Vec3::Zero();
+  for (const Vec3& p : points) mean += p / static_cast<double>(points.size());
+  Mat3 covariance = Mat3::Zero();
+  for (const Vec3& p : points) covariance += (p - mean) * (p - mean).transpose();
+  const Mat3 axes = Eigen::SelfAdjointEigenSolver<Mat3>(covariance).eigenvectors();
+  std::array<int, 3> order{0, 1, 2};
+  std::array<int, 3> best = order;
+  double most = -1;
+  do {
+    double along = 0;
+    for (int a = 0; a < 3; ++a) along += std::abs(axes(a, order[static_cast<std::size_t>(a)]));
+    if (along > most) {
+      most = along;
+      best = order;
+    }
+  } while (std::ranges::next_permutation(order).found);
+  Mat3 named;
+  for (int a = 0; a < 3; ++a) {
+    named.col(a) = axes.col(best[static_cast<std::size_t>(a)]);
+    if (named(a, a) < 0) named.col(a) *= -1;
+  }
+  if (named.determinant() < 0) {
+    Eigen::Index least = 0;
+    named.diagonal().minCoeff(&least);
+    named.col(least) *= -1;
+  }
+  return Eigen::Quaterniond(named);
+}
+
+double box_cost(const Box& box, std::span<const Vec3> points, const KdTree& tree, double unit,
+                double spacing) {
+  double sum = 0;
+  for (const Vec3& p : points) sum += (box.to_world(closest_on_surface(box, p)) - p).squaredNorm();
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    const int nu = std::max(1, static_cast<int>(std::lround(2 * box.half_extent[u] / spacing)));
+    const int nv = std::max(1, static_cast<int>(std::lround(2 * box.half_extent[v] / spacing)));
+    const double area = 4 * box.half_extent[u] * box.half_extent[v] / (nu * nv * spacing * spacing);
+    for (int i = 0; i < 2 * nu * nv; ++i) {
+      Vec3 local;
+      local[axis] = i < nu * nv ? -1 : 1;
+      local[u] = (2 * (i % nu) + 1.0) / nu - 1;
+      local[v] = (2 * (i / nu % nv) + 1.0) / nv - 1;
+      sum += area * tree.nearest(box.to_world(local)).squared_distance;
+    }
+  }
+  return sum / (unit * unit);
+}
+
+}  // namespace
+
+RegionBox fit_region_box(std::span<const Vec3> points, double unit, double spacing) {
+  const KdTree tree(points);
+  const auto along = [&](const Eigen::Quaterniond& orientation) {
+    const Box box = box_along(orientation, points, spacing);
+    return RegionBox{box, box_cost(box, points, tree, unit, spacing)};
+  };
+  const RegionBox upright = along(Eigen::Quaterniond::Identity());
+  const Eigen::Quaterniond axes = principal_axes(points);
+  // Within 8 degrees a box counts as standing along the axes.
+  if (axes.angularDistance(Eigen::Quaterniond::Identity()) < 0.14) return upright;
+  const RegionBox turned = along(axes);
+  return turned.cost * turned_handicap < upright.cost ? turned : upright;
+}
+
+}  // namespace archetype

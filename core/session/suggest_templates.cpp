@@ -1,0 +1,80 @@
+// Chooses shapes, loads their samples and stores what comes out.
+#include "core/session/suggest_templates.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/base/error.h"
+#include "core/base/random.h"
+
+namespace archetype {
+
+namespace {
+
+// `count` of the numbers below n, in increasing order; all if there are no more.
+std::vector<std::size_t> choose(std::size_t n, std::size_t count, std::uint64_t seed) {
+  std::vector<std::size_t> all(n);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  if (count >= n) return all;
+  RandomStream random(seed);
+  for (std::size_t i = 0; i < count; ++i) std::swap(all[i], all[i + random.below(n - i)]);
+  all.resize(count);
+  std::ranges::sort(all);
+  return all;
+}
+
+// The position of each in `all`, which holds them in increasing order.
+std::vector<std::size_t> positions(const std::vector<std::size_t>& chosen,
+                                   const std::vector<std::size_t>& all) {
+  std::vector<std::size_t> result;
+  for (const std::size_t i : chosen)
+    result.push_back(static_cast<std::size_t>(std::ranges::lower_bound(all, i) - all.begin()));
+  return result;
+}
+
+}  // namespace
+
+Suggestions suggest_templates(const Project& project, const SuggestOptions& options, unsigned threads,
+                              const JobControl& control) {
+  const std::vector<ShapeId> ids = project.shape_ids();
+  if (ids.empty()) throw PreconditionError("templates can only be suggested for a project that has shapes");
+  const auto segmented = choose(ids.size(), options.segmented_shapes, derive_seed(options.seed, 0));
+  const auto scored = choose(ids.size(), options.scored_shapes, derive_seed(options.seed, 1));
+  std::vector<std::size_t> needed;
+  std::ranges::set_union(segmented, scored, std::back_inserter(needed));
+  Suggestions result;
+  InitialShapes shapes;
+  for (const std::size_t i : needed) {
+    result.cancelled = control.cancelled();
+    if (result.cancelled) return result;
+    shapes.names.push_back(project.find_shape(ids[i]).value().name);
+    shapes.samples.push_back(project.samples(ids[i]));
+    control.progress(shapes.names.size(), needed.size(), "loading");
+  }
+  shapes.segmented = positions(segmented, needed);
+  shapes.scored = positions(scored, needed);
+  InitialTemplateOptions initial = options.initial;
+  initial.segmentation.seed = derive_seed(options.seed, 2);
+  std::optional<std::vector<InitialTemplate>> found = initial_templates(shapes, initial, threads, control);
+  result.cancelled = !found;
+  if (found) result.templates = std::move(*found);
+  result.segmented = segmented.size();
+  result.scored = scored.size();
+  return result;
+}
+
+void store_suggestions(Project& project, const Suggestions& suggestions) {
+  if (suggestions.templates.empty()) return;
+  Project::Transaction transaction(project);
+  std::vector<TemplateId> ids;
+  for (const InitialTemplate& suggestion : suggestions.templates) {
+    TemplateRecord record;
+    record.part_template = suggestion.part_template;
+    record.current = false;
+    ids.push_back(project.add_template(record));
+  }
+  project.set_current_templates({ids.front()});
+  transaction.commit();
+}
+
+}  // namespace archetype
