@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/session/actions.h"
 #include "ui/command_groups.h"
+#include "ui/learning_actions.h"
 #include "ui/project_actions.h"
 #include "ui/scripted_drag.h"
 #include "ui/studio.h"
@@ -11,10 +12,18 @@
 namespace archetype {
 namespace {
 
-std::string needs_shapes_and_template(const Studio& studio) {
+std::string needs_free_shapes(const Studio& studio) {
   if (std::string reason = needs_collection(studio); !reason.empty()) return reason;
   if (studio.collection.rows().empty()) return "the collection has no shapes yet";
-  if (is_fitted(studio, studio.collection.path)) return "its shapes are being fitted; stop that job first";
+  return is_fitted(studio, studio.collection.path) ? "its shapes are being fitted; stop that job first" : "";
+}
+
+std::string needs_suggestions(const Studio& studio) {
+  return studio.ui.suggestions.empty() ? "let templates be suggested first" : "";
+}
+
+std::string needs_shapes_and_template(const Studio& studio) {
+  if (std::string reason = needs_free_shapes(studio); !reason.empty()) return reason;
   const PartTemplate* active = studio.history.committed().active_template();
   return active && !active->parts.empty() ? "" : "make or load a template with at least one part first";
 }
@@ -25,6 +34,25 @@ std::string needs_jobs(const Studio& studio) {
 
 void fit_all_command(Studio& studio, Arguments) {
   fit_all(studio);
+}
+
+void suggest_command(Studio& studio, Arguments) {
+  suggest_templates(studio);
+}
+
+void show_suggestions(Studio& studio, Arguments) {
+  studio.ui.show_suggestions = true;
+}
+
+void take_suggestion_command(Studio& studio, Arguments arguments) {
+  const double rank = number_argument(arguments, 0, "a rank from 1");
+  if (rank < 1 || rank > static_cast<double>(studio.ui.suggestions.size()))
+    throw Error("there are " + std::to_string(studio.ui.suggestions.size()) + " suggested templates");
+  take_suggestion(studio, static_cast<std::size_t>(rank) - 1);
+}
+
+void learn_command(Studio& studio, Arguments) {
+  learn(studio);
 }
 
 void cancel_jobs(Studio& studio, Arguments) {
@@ -89,6 +117,28 @@ void add_fit_commands(std::vector<Command>& commands) {
            .run = fit_all_command,
            .why_not = needs_shapes_and_template,
            .separator = true},
+          {.name = "suggest-templates",
+           .title = "Suggest templates",
+           .menu = "Template",
+           .run = suggest_command,
+           .why_not = needs_free_shapes,
+           .separator = true},
+          {.name = "show-suggestions",
+           .title = "Show the suggested templates",
+           .menu = "Template",
+           .run = show_suggestions,
+           .why_not = needs_suggestions},
+          {.name = "take-suggestion",
+           .title = "Take a suggested template",
+           .arguments = "RANK",
+           .run = take_suggestion_command,
+           .why_not = needs_suggestions},
+          {.name = "learn",
+           .title = "Learn from all shapes",
+           .menu = "Template",
+           .key = "Ctrl+L",
+           .run = learn_command,
+           .why_not = needs_shapes_and_template},
           {.name = "cancel-jobs",
            .title = "Stop all jobs",
            .menu = "Shape",

@@ -199,6 +199,7 @@ void draw_frame(Studio& studio) {
   ImGui::PopStyleVar();
 
   draw_file_browser(studio);
+  draw_suggestions_window(studio);
   draw_help_window(studio);
   draw_about_window(studio);
   draw_command_palette(studio);

@@ -24,6 +24,7 @@ void draw_menu_bar(Studio& studio);
 void draw_command_palette(Studio& studio);
 void draw_help_window(Studio& studio);
 void draw_about_window(Studio& studio);
+void draw_suggestions_window(Studio& studio);
 
 struct Panel {
   const char* name;

@@ -11,15 +11,12 @@
 #include "core/session/actions.h"
 #include "core/session/fit_collection.h"
 #include "ui/studio.h"
+#include "ui/widgets.h"
 
 namespace archetype {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string plural(std::size_t count, const std::string& thing) {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
 
 void warn_of_refused(Studio& studio, const std::vector<RefusedInput>& refused) {
   for (const RefusedInput& input : refused) studio.messages.warn(input.path.string() + ": " + input.reason);

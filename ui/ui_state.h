@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/io/project.h"
+#include "core/learning/initial_templates.h"
 #include "ui/collection.h"
 
 namespace archetype {
@@ -88,6 +90,8 @@ struct UiState {
   FileBrowserState browser;
   BottomTab bottom_tab = BottomTab::jobs;
   std::optional<BottomTab> wanted_bottom_tab;
+  std::vector<InitialTemplate> suggestions;  // to choose from
+  bool show_suggestions = false;
   bool help = false;   // the list of keys
   bool about = false;  // with the credits
   std::string status;  // the line at the bottom: what was done last

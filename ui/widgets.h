@@ -32,8 +32,9 @@ void tooltip(const char* text);  // of the item drawn last, also when it is disa
 
 // A text cut to a width with "…" at its end.
 std::string fitted(const std::string& text, float width);
-std::string duration_text(double seconds);  // "8 s", "3 min 20 s", "1 h 5 min"
-std::string count_text(std::size_t count);  // "12,345"
+std::string duration_text(double seconds);                        // "8 s", "3 min 20 s", "1 h 5 min"
+std::string plural(std::size_t count, const std::string& thing);  // "1 shape", "2 shapes"
+std::string count_text(std::size_t count);                        // "12,345"
 
 // Buttons in a row as wide as the panel.
 float share_of_width(int columns);

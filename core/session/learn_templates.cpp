@@ -2,6 +2,7 @@
 #include "core/session/learn_templates.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -193,8 +194,10 @@ class LearnRun {
   JobControl round_control(int iteration) const {
     JobControl round;
     round.stop = control_.stop;
-    const std::string what = "learning, round " + std::to_string(iteration) +
-                             ", templates: " + std::to_string(state_.templates.size());
+    std::string what = "learning, round " + std::to_string(iteration) +
+                       ", templates: " + std::to_string(state_.templates.size());
+    if (!state_.steps.empty())
+      what += ", energy " + number_text(std::round(state_.steps.back().energy * 1e4) / 1e4);
     round.report = [this, what](std::size_t done, std::size_t total, std::string_view) {
       control_.progress(done, total, what);
     };

@@ -44,6 +44,21 @@ void add_template(History& history, PartTemplate part_template, const std::strin
   history.commit(std::move(document), message);
 }
 
+void take_learned(History& history, std::vector<PartTemplate> learned, const std::string& message) {
+  if (learned.empty()) throw PreconditionError("nothing was learned");
+  Document document = history.committed();
+  auto& templates = document.templates;
+  if (document.active < templates.size())
+    templates.erase(templates.begin() + static_cast<std::ptrdiff_t>(document.active));
+  document.active = std::min(document.active, templates.size());
+  for (std::size_t i = 0; i < learned.size(); ++i) {
+    learned[i].name = unique_template_name(document, learned[i].name, templates.size());
+    templates.insert(templates.begin() + static_cast<std::ptrdiff_t>(document.active + i),
+                     std::make_shared<const PartTemplate>(std::move(learned[i])));
+  }
+  history.commit(std::move(document), message);
+}
+
 void duplicate_active_template(History& history) {
   PartTemplate copy = active_of(history.committed());
   const std::string message = "Duplicate template " + copy.name;
