@@ -7,8 +7,8 @@
 
 #include "core/base/parallel.h"
 #include "core/fitting/fit_template.h"
-#include "core/learning/join_segmentations.h"
 #include "core/learning/mirror_symmetry.h"
+#include "core/learning/recurring_parts.h"
 #include "core/learning/template_from_boxes.h"
 
 namespace archetype {

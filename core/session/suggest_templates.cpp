@@ -66,8 +66,14 @@ Suggestions suggest_templates(const Project& project, const SuggestOptions& opti
 void store_suggestions(Project& project, const Suggestions& suggestions) {
   if (suggestions.templates.empty()) return;
   Project::Transaction transaction(project);
+  const std::vector<TemplateRecord> known = project.templates(false);
   std::vector<TemplateId> ids;
   for (const InitialTemplate& suggestion : suggestions.templates) {
+    const auto same = std::ranges::find(known, suggestion.part_template, &TemplateRecord::part_template);
+    if (same != known.end()) {
+      ids.push_back(same->id);
+      continue;
+    }
     TemplateRecord record;
     record.part_template = suggestion.part_template;
     record.current = false;

@@ -1,5 +1,5 @@
 // Greedy clustering of boxes.
-#include "core/learning/join_segmentations.h"
+#include "core/learning/recurring_parts.h"
 
 #include <algorithm>
 #include <cmath>
