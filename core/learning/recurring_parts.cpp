@@ -2,9 +2,7 @@
 #include "core/learning/recurring_parts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "core/learning/mirror_symmetry.h"
 #include "core/learning/template_from_boxes.h"

@@ -27,6 +27,7 @@ std::vector<std::size_t> choose(std::size_t n, std::size_t count, std::uint64_t 
 std::vector<std::size_t> positions(const std::vector<std::size_t>& chosen,
                                    const std::vector<std::size_t>& all) {
   std::vector<std::size_t> result;
+  result.reserve(chosen.size());
   for (const std::size_t i : chosen)
     result.push_back(static_cast<std::size_t>(std::ranges::lower_bound(all, i) - all.begin()));
   return result;
