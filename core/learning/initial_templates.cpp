@@ -2,13 +2,13 @@
 #include "core/learning/initial_templates.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
-#include <ranges>
 
 #include "core/base/parallel.h"
 #include "core/fitting/fit_template.h"
-#include "core/learning/join_segmentations.h"
 #include "core/learning/mirror_symmetry.h"
+#include "core/learning/recurring_parts.h"
 #include "core/learning/template_from_boxes.h"
 
 namespace archetype {
@@ -22,7 +22,7 @@ constexpr double duplicate_reach_share = 0.1;
 constexpr double smallest_duplicate_reach = 0.05;
 
 // Whether each part of one template has its own counterpart in the other, turned by quarters.
-bool nearly_same(const PartTemplate& a, const PartTemplate& b, int quarters) {
+bool nearly_same_turned(const PartTemplate& a, const PartTemplate& b, int quarters) {
   if (a.parts.size() != b.parts.size()) return false;
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(-quarters * std::numbers::pi / 2, Vec3::UnitY()));
   std::vector<bool> taken(b.parts.size(), false);
@@ -37,6 +37,13 @@ bool nearly_same(const PartTemplate& a, const PartTemplate& b, int quarters) {
     }
     return false;
   });
+}
+
+bool nearly_same(const PartTemplate& a, const PartTemplate& b) {
+  for (int quarters = 0; quarters < 4; ++quarters) {
+    if (nearly_same_turned(a, b, quarters)) return true;
+  }
+  return false;
 }
 
 // Existence becomes the share of the fits that have the part, but for parts that must exist.
@@ -110,9 +117,7 @@ class Search {
     for (InitialTemplate& candidate : ranked_) {
       if (kept.size() >= options_.candidates) break;
       const bool known = std::ranges::any_of(kept, [&](const InitialTemplate& better) {
-        return std::ranges::any_of(std::views::iota(0, 4), [&](int quarters) {
-          return nearly_same(candidate.part_template, better.part_template, quarters);
-        });
+        return nearly_same(candidate.part_template, better.part_template);
       });
       if (!known) kept.push_back(std::move(candidate));
     }

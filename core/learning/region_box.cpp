@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/geometry/kd_tree.h"
+#include "core/learning/mirror_symmetry.h"
 
 namespace archetype {
 
@@ -31,29 +32,9 @@ Eigen::Quaterniond principal_axes(std::span<const Vec3> points) {
   for (const Vec3& p : points) mean += p / static_cast<double>(points.size());
   Mat3 covariance = Mat3::Zero();
   for (const Vec3& p : points) covariance += (p - mean) * (p - mean).transpose();
-  const Mat3 axes = Eigen::SelfAdjointEigenSolver<Mat3>(covariance).eigenvectors();
-  std::array<int, 3> order{0, 1, 2};
-  std::array<int, 3> best = order;
-  double most = -1;
-  do {
-    double along = 0;
-    for (int a = 0; a < 3; ++a) along += std::abs(axes(a, order[static_cast<std::size_t>(a)]));
-    if (along > most) {
-      most = along;
-      best = order;
-    }
-  } while (std::ranges::next_permutation(order).found);
-  Mat3 named;
-  for (int a = 0; a < 3; ++a) {
-    named.col(a) = axes.col(best[static_cast<std::size_t>(a)]);
-    if (named(a, a) < 0) named.col(a) *= -1;
-  }
-  if (named.determinant() < 0) {
-    Eigen::Index least = 0;
-    named.diagonal().minCoeff(&least);
-    named.col(least) *= -1;
-  }
-  return Eigen::Quaterniond(named);
+  Mat3 axes = Eigen::SelfAdjointEigenSolver<Mat3>(covariance).eigenvectors();
+  if (axes.determinant() < 0) axes.col(0) *= -1;
+  return with_nearest_axes({mean, Vec3::Ones(), Eigen::Quaterniond(axes)}).orientation;
 }
 
 double box_cost(const Box& box, std::span<const Vec3> points, const KdTree& tree, double unit,
@@ -85,11 +66,11 @@ RegionBox fit_region_box(std::span<const Vec3> points, double unit, double spaci
     const Box box = box_along(orientation, points, spacing);
     return RegionBox{box, box_cost(box, points, tree, unit, spacing)};
   };
-  const RegionBox upright = along(Eigen::Quaterniond::Identity());
+  RegionBox upright = along(Eigen::Quaterniond::Identity());
   const Eigen::Quaterniond axes = principal_axes(points);
   // Within 8 degrees a box counts as standing along the axes.
   if (axes.angularDistance(Eigen::Quaterniond::Identity()) < 0.14) return upright;
-  const RegionBox turned = along(axes);
+  RegionBox turned = along(axes);
   return turned.cost * turned_handicap < upright.cost ? turned : upright;
 }
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <numeric>
 
 #include "core/base/error.h"
 #include "core/base/random.h"
@@ -17,7 +17,7 @@ namespace archetype {
 
 namespace {
 
-constexpr int seeds_per_part = 3;  // regions at the start for each part at most
+constexpr std::size_t seeds_per_part = 3;  // regions at the start for each part at most
 
 using Labels = std::vector<std::int16_t>;
 
@@ -202,7 +202,7 @@ std::optional<Segmentation> segment_shape(const ShapeSamples& samples, const Seg
   const double unit = fitting.distance_unit * samples.radius;
   const double spacing = sample_spacing(samples);
   const LabellingGraph graph = make_point_graph(samples, fitting);
-  const auto seeds = static_cast<std::size_t>(seeds_per_part * options.max_parts);
+  const auto seeds = seeds_per_part * static_cast<std::size_t>(options.max_parts);
   Labels labels = farthest_regions(samples.points, seeds, options.seed);
   Segmentation best;
   // Once from the cells, and once from what the parts found then have become.

@@ -27,6 +27,7 @@ std::vector<std::size_t> choose(std::size_t n, std::size_t count, std::uint64_t 
 std::vector<std::size_t> positions(const std::vector<std::size_t>& chosen,
                                    const std::vector<std::size_t>& all) {
   std::vector<std::size_t> result;
+  result.reserve(chosen.size());
   for (const std::size_t i : chosen)
     result.push_back(static_cast<std::size_t>(std::ranges::lower_bound(all, i) - all.begin()));
   return result;
@@ -66,8 +67,14 @@ Suggestions suggest_templates(const Project& project, const SuggestOptions& opti
 void store_suggestions(Project& project, const Suggestions& suggestions) {
   if (suggestions.templates.empty()) return;
   Project::Transaction transaction(project);
+  const std::vector<TemplateRecord> known = project.templates(false);
   std::vector<TemplateId> ids;
   for (const InitialTemplate& suggestion : suggestions.templates) {
+    const auto same = std::ranges::find(known, suggestion.part_template, &TemplateRecord::part_template);
+    if (same != known.end()) {
+      ids.push_back(same->id);
+      continue;
+    }
     TemplateRecord record;
     record.part_template = suggestion.part_template;
     record.current = false;

@@ -27,7 +27,7 @@ struct Suggestions {
 Suggestions suggest_templates(const Project& project, const SuggestOptions& options, unsigned threads,
                               const JobControl& control);
 
-// Stores them with the project, the best one as its current template.
+// Stores those that the project does not have yet, and makes the best one its current template.
 void store_suggestions(Project& project, const Suggestions& suggestions);
 
 }  // namespace archetype

@@ -284,6 +284,8 @@ TEST_CASE("templates are suggested, ranked and stored, the best one to be fitted
     REQUIRE(project.templates().size() == 1);
     CHECK(project.templates()[0].part_template.name == report.at("templates")[0].at("name"));
   }
+  require_run({"init", fixture.project, "--shapes", "3", "--candidates", "2"});
+  CHECK(archetype::Project::open(fixture.project).templates(false).size() == 2);
   run = run_archetype({"fit", fixture.project});
   CHECK(run.out == "fitted 5, kept 0, refused 0\n");
 

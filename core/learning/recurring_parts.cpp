@@ -1,10 +1,8 @@
 // Greedy clustering of boxes.
-#include "core/learning/join_segmentations.h"
+#include "core/learning/recurring_parts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "core/learning/mirror_symmetry.h"
 #include "core/learning/template_from_boxes.h"
