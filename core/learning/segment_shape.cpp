@@ -178,6 +178,7 @@ std::optional<Labels> relabel(const ShapeSamples& samples, const Segmentation& s
   }
   FitOptions options;
   options.gamma = 0;
+  options.turn_stddev = 0;  // the boxes stand as the parts do already
   options.max_alternations = 10;
   ShapeFit start;
   start.labels = segmentation.labels;
