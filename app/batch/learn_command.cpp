@@ -64,15 +64,21 @@ void print_report(const Project& project, const LearnReport& report, const Invoc
             << std::endl;
 }
 
-// Of a project without a template, as `archetype init` makes it. Empty when cancelled.
-std::vector<PartTemplate> suggest_best(Project& project, const Invocation& invocation,
-                                       const JobControl& control) {
-  SuggestOptions options;
-  options.seed = invocation.seed;
-  const Suggestions suggestions = suggest_templates(project, options, invocation.threads, control);
+// Of a project without a template: of what `archetype init` makes, the one that most can be learned from.
+// Empty when cancelled.
+std::vector<PartTemplate> suggest_best(Project& project, const LearnOptions& options,
+                                       const Invocation& invocation, const JobControl& control) {
+  SuggestOptions suggest;
+  suggest.seed = invocation.seed;
+  const Suggestions suggestions = suggest_templates(project, suggest, invocation.threads, control);
   if (suggestions.templates.empty()) return {};
+  std::vector<PartTemplate> candidates;
+  for (const InitialTemplate& each : suggestions.templates) candidates.push_back(each.part_template);
+  const auto best =
+      best_to_learn_from(project, candidates, {}, options, invocation.seed, invocation.threads, control);
+  if (!best) return {};
   store_suggestions(project, suggestions);
-  return {suggestions.templates.front().part_template};
+  return {candidates[*best]};
 }
 
 int run_learn(const Arguments& arguments, const Invocation& invocation) {
@@ -87,7 +93,7 @@ int run_learn(const Arguments& arguments, const Invocation& invocation) {
   {
     Progress progress;
     if (templates.empty()) {
-      templates = suggest_best(project, invocation, progress.control(invocation.stop));
+      templates = suggest_best(project, arguments.options, invocation, progress.control(invocation.stop));
       if (templates.empty()) return exit_code::stopped;
     }
     report = learn_templates(project, templates, {}, arguments.options, invocation.seed, arguments.fresh,

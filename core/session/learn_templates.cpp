@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -105,6 +106,23 @@ std::vector<ShapeId> draw(std::vector<ShapeId> items, std::size_t count, std::ui
   return items;
 }
 
+// A small collection judges as a whole.
+std::vector<ShapeId> judging_shapes(const std::vector<ShapeId>& shapes, const LearnOptions& options,
+                                    std::uint64_t seed) {
+  if (shapes.size() <= 2 * options.sample_size) return shapes;
+  return draw(shapes, options.sample_size, derive_seed(seed, 0));
+}
+
+// False if cancelled.
+bool load(const Project& project, const std::vector<ShapeId>& ids, const JobControl& control,
+          std::vector<ShapeSamples>& samples) {
+  for (const ShapeId id : ids) {
+    if (control.cancelled()) return false;
+    samples.push_back(project.samples(id));
+  }
+  return true;
+}
+
 class LearnRun {
  public:
   LearnRun(Project& project, const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed,
@@ -159,33 +177,23 @@ class LearnRun {
   // False if cancelled.
   bool learn() {
     const std::vector<ShapeId> shapes = project_.shape_ids();
-    // A small collection judges as a whole.
-    const bool small = shapes.size() <= 2 * options_.sample_size;
-    const std::vector<ShapeId> judges =
-        small ? shapes : draw(shapes, options_.sample_size, derive_seed(seed_, 0));
+    const std::vector<ShapeId> judges = judging_shapes(shapes, options_, seed_);
     std::vector<ShapeId> rest;
     for (const ShapeId id : shapes) {
       if (!std::ranges::binary_search(judges, id)) rest.push_back(id);
     }
     std::vector<ShapeSamples> judging;
-    if (!state_.settled && !load(judges, judging)) return false;
+    if (!state_.settled && !load(project_, judges, control_, judging)) return false;
     while (!state_.settled && static_cast<int>(state_.steps.size()) < options_.iterations) {
       const int iteration = static_cast<int>(state_.steps.size()) + 1;
       std::vector<ShapeSamples> others;
       const auto key = static_cast<std::uint64_t>(iteration);
-      if (!load(draw(rest, options_.sample_size, derive_seed(seed_, key)), others)) return false;
+      if (!load(project_, draw(rest, options_.sample_size, derive_seed(seed_, key)), control_, others))
+        return false;
       const auto round = learning_round(state_.templates, judging, others, fit_options_, options_, threads_,
                                         round_control(iteration));
       if (!round) return false;
       keep(*round, iteration);
-    }
-    return true;
-  }
-
-  bool load(const std::vector<ShapeId>& ids, std::vector<ShapeSamples>& samples) const {
-    for (const ShapeId id : ids) {
-      if (control_.cancelled()) return false;
-      samples.push_back(project_.samples(id));
     }
     return true;
   }
@@ -273,6 +281,41 @@ std::vector<PartTemplate> learning_start(const Project& project) {
   std::optional<State> stored = stored_state(project);
   if (stored && stored->ids == ids) return std::move(stored->start);
   return current;
+}
+
+std::optional<std::size_t> best_to_learn_from(const Project& project,
+                                              const std::vector<PartTemplate>& candidates,
+                                              const FitOptions& fit_options, const LearnOptions& options,
+                                              std::uint64_t seed, unsigned threads,
+                                              const JobControl& control) {
+  // What a candidate gains later is little beside what parts the candidates.
+  constexpr int rounds = 2;
+  if (candidates.empty()) throw PreconditionError("there is no template to choose from");
+  if (project.shape_count() == 0) throw PreconditionError("there is no shape to learn from");
+  std::vector<ShapeSamples> judging;
+  if (!load(project, judging_shapes(project.shape_ids(), options, seed), control, judging))
+    return std::nullopt;
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    std::vector<LearnedTemplate> templates{{candidates[c], candidates[c]}};
+    JobControl candidate_control;
+    candidate_control.stop = control.stop;
+    double energy = 0;
+    for (int round = 0; round < rounds; ++round) {
+      control.progress(c * rounds + static_cast<std::size_t>(round), candidates.size() * rounds,
+                       "trying what can be learned from each");
+      auto learned = learning_round(templates, judging, {}, fit_options, options, threads, candidate_control);
+      if (!learned) return std::nullopt;
+      templates = std::move(learned->templates);
+      energy = learned->energy;
+      if (!learned->changed()) break;
+    }
+    if (energy >= least) continue;
+    least = energy;
+    best = c;
+  }
+  return best;
 }
 
 LearnReport learn_templates(Project& project, const std::vector<PartTemplate>& initial,

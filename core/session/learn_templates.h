@@ -29,6 +29,15 @@ inline constexpr std::string_view learn_state_setting = "learn.state";
 // that learning began with. Empty for a project without templates.
 std::vector<PartTemplate> learning_start(const Project& project);
 
+// The candidate whose learning ends with the least energy: the fully automatic mode of section 4.3. A few
+// rounds of learning each, on the shapes that would judge it; the project is not changed. Nothing if
+// cancelled. Throws PreconditionError without candidates or shapes.
+std::optional<std::size_t> best_to_learn_from(const Project& project,
+                                              const std::vector<PartTemplate>& candidates,
+                                              const FitOptions& fit_options, const LearnOptions& options,
+                                              std::uint64_t seed, unsigned threads,
+                                              const JobControl& control);
+
 // Refines and spawns templates round by round until a round keeps nothing new, then fits what was learned to
 // every shape and labels it. A round is one transaction: its templates become the current ones and remember
 // their parents and the round. A stopped run goes on there, and ends with the same bytes as one that was not
