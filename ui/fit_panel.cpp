@@ -166,9 +166,11 @@ void draw_fit_panel(Studio& studio) {
   ImGui::Dummy({0, 2 * studio.fonts.scale});
   draw_parts(studio, *view);
   ImGui::Dummy({0, 2 * studio.fonts.scale});
-  command_button(studio, "fit-all", std::string(icon::play) + "  Fit all shapes", {share_of_width(2), 0});
+  command_button(studio, "fit-all", std::string(icon::play) + "  Fit all", {share_of_width(3), 0});
   ImGui::SameLine();
-  command_button(studio, "adopt-fit", "Take these boxes", {share_of_width(1), 0});
+  command_button(studio, "learn", "Learn", {share_of_width(2), 0});
+  ImGui::SameLine();
+  command_button(studio, "adopt-fit", "Take boxes", {share_of_width(1), 0});
 }
 
 }  // namespace archetype

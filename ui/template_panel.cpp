@@ -25,6 +25,7 @@ void draw_empty(Studio& studio) {
     if (ImGui::Button(names[i].c_str(), {width, 0})) run_command(studio, "start-template", arguments);
     mark_target(studio, "start:" + names[i]);
   }
+  command_button(studio, "suggest-templates", "Suggest some from the shapes", {share_of_width(1), 0});
   command_button(studio, "new-template", std::string(icon::plus) + "  Empty", {width, 0});
   ImGui::SameLine();
   command_button(studio, "load-template", std::string(icon::folder_open) + "  Load…", {width, 0});

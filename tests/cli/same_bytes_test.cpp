@@ -43,6 +43,9 @@ class Work {
   std::vector<std::string> fit_arguments(const std::string& project) const {
     return {"fit", path(project), "--template", path("chair.json")};
   }
+  std::vector<std::string> learn_arguments(const std::string& project) const {
+    return {"learn", path(project), "--template", path("chair.json")};
+  }
   Files exported(const std::string& project) const {
     const std::string out = path(project + ".export");
     require_run({"export", path(project), "--out", out});
@@ -154,6 +157,28 @@ TEST_CASE("a fit that is killed 25 times loses nothing that it committed, and en
     }
   }
   CHECK((work.undisturbed("p") == expected));
+}
+
+TEST_CASE("a learning that is killed 20 times ends as if it had not been") {
+  const Work work(shape_count);
+  require_run(work.import_arguments("whole"), 3);
+  require_run(work.learn_arguments("whole"));
+  const Files expected = work.exported("whole");
+  require_run(work.import_arguments("p"), 3);
+  RandomStream random(3);
+  for (int killed = 0; killed < 20;) {
+    const bool was_killed = run_archetype(work.learn_arguments("p"), kill_within(random)).exit_code == -1;
+    CHECK(Committed(work.path("p")).shapes == shape_count);
+    if (was_killed) {
+      ++killed;
+    } else {
+      require_run({"learn", work.path("p"), "--template", work.path("chair.json"), "--fresh"});
+      CHECK((work.exported("p") == expected));
+      Project::open(work.path("p")).set_setting("learn.state", "");
+    }
+  }
+  require_run(work.learn_arguments("p"));
+  CHECK((work.exported("p") == expected));
 }
 
 TEST_CASE("Ctrl-C stops within a second, keeps what is done, and the same command goes on from there") {

@@ -75,6 +75,36 @@ TEST_CASE("All shapes are fitted as a job; grid and messages say so") {
   CHECK(jobs[0].state == JobState::done);
 }
 
+TEST_CASE("Learning is a job whose result is one step that can be undone") {
+  TestWindow window;
+  window.open_chairs(4);
+  window.make_template();
+  const Document before = window.studio().history.committed();
+  window.click("command:learn");
+  window.settle();
+  CHECK_FALSE(window.studio().history.committed() == before);
+  CHECK(window.studio().jobs.view().at(0).state == JobState::done);
+  for (const ShapeRow& row : window.studio().collection.rows()) CHECK(row.fit.has_value());
+  window.key("Ctrl+Z");
+  window.settle();
+  CHECK(window.studio().history.committed() == before);
+}
+
+TEST_CASE("A suggested template is taken by a click on its picture") {
+  TestWindow window;
+  window.open_chairs(3);
+  REQUIRE(run_command(window.studio(), "suggest-templates", {}));
+  window.settle();
+  REQUIRE_FALSE(window.studio().ui.suggestions.empty());
+  CHECK(window.studio().ui.show_suggestions);
+  window.click("suggestion:1");
+  window.settle();
+  CHECK_FALSE(window.studio().ui.show_suggestions);
+  const PartTemplate* active = window.studio().history.committed().active_template();
+  REQUIRE(active);
+  CHECK(active->parts == window.studio().ui.suggestions[0].part_template.parts);
+}
+
 TEST_CASE("What was edited is there again when the folder is opened again") {
   TestWindow window;
   window.open_chairs(2);

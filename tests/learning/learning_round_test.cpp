@@ -1,0 +1,72 @@
+#include "core/learning/learning_round.h"
+
+#include <doctest/doctest.h>
+
+#include "core/fitting/fit_template.h"
+#include "tests/support/made_shapes.h"
+#include "tests/support/small_collection.h"
+
+using namespace archetype;
+using namespace archetype::test;
+
+namespace {
+
+void add_chairs(std::vector<ShapeSamples>& shapes, const std::string& style, std::size_t count) {
+  GenerateOptions options;
+  options.styles = {style};
+  for (std::size_t i = 0; i < count; ++i) shapes.push_back(make_shape("chairs", options, i, 250).samples);
+}
+
+// Rounds until nothing is kept; the energy never rises.
+std::vector<LearnedTemplate> learn(const PartTemplate& start, const std::vector<ShapeSamples>& shapes,
+                                   unsigned threads = 2) {
+  std::vector<LearnedTemplate> templates{{start, start}};
+  for (int round = 0; round < 6; ++round) {
+    const auto learned = learning_round(templates, shapes, {}, {}, {}, threads, {});
+    REQUIRE(learned);
+    REQUIRE(learned->templates.size() == learned->origins.size());
+    CHECK(learned->energy <= learned->energy_before);
+    templates = learned->templates;
+    if (!learned->changed()) break;
+  }
+  return templates;
+}
+
+}  // namespace
+
+TEST_CASE("a template that stands askew moves to where the shapes are") {
+  std::vector<ShapeSamples> shapes;
+  add_chairs(shapes, "plain", 8);
+  PartTemplate start = chair_template();
+  for (TemplatePart& part : start.parts) part.scale.mean *= 1.3;
+  const auto learned = learn(start, shapes);
+  double before = 0;
+  double after = 0;
+  for (const ShapeSamples& shape : shapes) {
+    before += fit_template(start, shape, {})->energy.total();
+    after += fit_template(learned[0].part_template, shape, {})->energy.total();
+  }
+  CHECK(after < 0.8 * before);
+  CHECK(learned[0].initial == start);
+}
+
+TEST_CASE("benches part from chairs, with the same bytes for any number of threads") {
+  std::vector<ShapeSamples> shapes;
+  add_chairs(shapes, "plain", 8);
+  add_chairs(shapes, "bench", 8);
+  const auto learned = learn(chair_template(), shapes);
+  REQUIRE(learned.size() >= 2);
+  CHECK(learned[0].part_template.name != learned[1].part_template.name);
+  const auto alone = learn(chair_template(), shapes, 1);
+  REQUIRE(alone.size() == learned.size());
+  for (std::size_t t = 0; t < alone.size(); ++t) CHECK(alone[t].part_template == learned[t].part_template);
+}
+
+TEST_CASE("a cancelled round gives nothing") {
+  std::vector<ShapeSamples> shapes;
+  add_chairs(shapes, "plain", 3);
+  std::stop_source source;
+  source.request_stop();
+  const LearnedTemplate start{chair_template(), chair_template()};
+  CHECK_FALSE(learning_round(std::span(&start, 1), shapes, {}, {}, {}, 1, {source.get_token(), {}}));
+}

@@ -1,0 +1,98 @@
+#include "core/session/learn_templates.h"
+
+#include <doctest/doctest.h>
+
+#include "core/base/error.h"
+#include "core/session/import_shapes.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/support/small_collection.h"
+
+using namespace archetype;
+using namespace archetype::test;
+
+namespace {
+
+// A project of a few generated chairs, and a template that none of them looks quite like.
+struct Chairs {
+  ScratchFolder folder;
+  Project project = Project::in_memory();
+
+  explicit Chairs(std::size_t count) {
+    write_chairs(folder.path(), count);
+    ImportOptions options;
+    options.points = 150;
+    import_shapes(project, {folder.path() / "shapes"}, options, {});
+  }
+  LearnReport learn(int iterations = 10, bool fresh = false, const JobControl& control = {}) {
+    LearnOptions options;
+    options.iterations = iterations;
+    options.sample_size = 8;  // judges, and others in each round
+    return learn_templates(project, {start()}, {}, options, 1, fresh, 2, control);
+  }
+  static PartTemplate start() {
+    PartTemplate result = chair_template();
+    for (TemplatePart& part : result.parts) part.scale.mean *= 1.3;
+    return result;
+  }
+  std::vector<PartTemplate> learned() const {
+    std::vector<PartTemplate> templates;
+    for (const TemplateRecord& record : project.templates()) templates.push_back(record.part_template);
+    return templates;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("learning goes into the project round by round, and templates remember where they come from") {
+  Chairs chairs(20);
+  const LearnReport report = chairs.learn();
+  REQUIRE(report.steps.size() >= 2);
+  for (const LearningStep& step : report.steps) CHECK(step.energy <= step.energy_before);
+  CHECK(report.fit.fitted == 20);
+  CHECK(report.learned + report.outliers <= 20);
+  const std::vector<TemplateRecord> current = chairs.project.templates();
+  REQUIRE_FALSE(current.empty());
+  CHECK(current[0].iteration > 0);
+  REQUIRE(current[0].parent);
+  CHECK(chairs.project.find_template(*current[0].parent).has_value());
+  for (const FitSummary& fit : chairs.project.fits()) CHECK(fit.has_labels);
+}
+
+TEST_CASE("a learning that was stopped goes on where it was, to the same templates") {
+  Chairs whole(20);
+  whole.learn();
+  Chairs stopped(20);
+  // Stopped within the second round.
+  std::stop_source source;
+  const JobControl control{source.get_token(), [&](std::size_t, std::size_t, std::string_view what) {
+                             if (what.find("round 2") != std::string_view::npos) source.request_stop();
+                           }};
+  const LearnReport first = stopped.learn(10, false, control);
+  CHECK(first.cancelled);
+  CHECK(first.steps.size() == 1);
+  CHECK(learning_start(stopped.project) == std::vector{Chairs::start()});
+  const LearnReport second = stopped.learn();
+  CHECK_FALSE(second.cancelled);
+  CHECK(stopped.learned() == whole.learned());
+  CHECK(stopped.learn().fit.kept == 20);  // nothing is left to do
+  const LearnReport again = stopped.learn(10, true);
+  CHECK(again.steps.size() == second.steps.size());
+  CHECK(stopped.learned() == whole.learned());
+}
+
+TEST_CASE("what another program left as the state of learning is not gone on from") {
+  Chairs chairs(4);
+  chairs.learn(1);
+  for (const char* state : {"", "{", "[]", R"({"request":1})", R"({"request":"x","settled":"y"})"}) {
+    chairs.project.set_setting(std::string(learn_state_setting), state);
+    CHECK_NOTHROW(learning_start(chairs.project));
+    CHECK(chairs.learn(1).steps.size() == 1);
+  }
+}
+
+TEST_CASE("learning needs a template and a shape") {
+  Project empty = Project::in_memory();
+  CHECK_THROWS_AS(learn_templates(empty, {chair_template()}, {}, {}, 1, false, 1, {}), PreconditionError);
+  Chairs chairs(1);
+  CHECK_THROWS_AS(learn_templates(chairs.project, {}, {}, {}, 1, false, 1, {}), PreconditionError);
+}
