@@ -174,6 +174,7 @@ class Round {
       const auto share = options_.cluster_share * static_cast<double>(observed.size());
       if (cluster.size() == observed.size() || static_cast<double>(cluster.size()) < share) continue;
       std::vector<std::vector<PartObservation>> members;
+      members.reserve(cluster.size());
       for (const std::size_t i : cluster) members.push_back(observed[i]);
       if (!try_child(t, members)) return false;
     }

@@ -44,7 +44,7 @@ bool is_arm(const TemplatePart& part) {
 }  // namespace
 
 TEST_CASE("arms that some chairs have become parts that not every chair has") {
-  const auto found = initial_templates(chairs(6, 4, 200), {}, 2, {});
+  const auto found = initial_templates(chairs(6, 5, 300), {}, 2, {});
   REQUIRE(found);
   REQUIRE_FALSE(found->empty());
   const PartTemplate& best = found->front().part_template;
