@@ -63,19 +63,20 @@ void learn(Studio& studio) {
   const JobId job =
       studio.jobs.start(title, [&studio, path, threads, document](const JobControl& control) -> Jobs::Apply {
         Project project = Project::open(path);
-        // What was learned before is gone on from, not learned from.
-        const bool learned_before = current_templates(project) == templates_of(document);
+        // The templates of the project may be those of a learning that was stopped: it is gone on with.
+        const bool of_project = current_templates(project) == templates_of(document);
         const std::vector<PartTemplate> start =
-            learned_before ? learning_start(project) : std::vector{*document.active_template()};
+            of_project ? learning_start(project) : std::vector{*document.active_template()};
         const LearnReport report = learn_templates(project, start, {}, {}, 1, false, threads, control);
         const std::vector<PartTemplate> learned = current_templates(project);
-        return [&studio, path, document, learned_before, report, learned] {
+        return [&studio, path, document, of_project, report, learned] {
           if (studio.collection.path != path) return;
           // A template that was edited meanwhile stays; what was learned comes beside it.
           const bool same = studio.history.committed() == document;
-          if (!learned_before && same) {
-            take_learned(studio.history, learned, "Learn from " + document.active_template()->name);
-          } else if (!learned_before) {
+          if (same) {
+            take_learned(studio.history, learned, of_project ? LearnedFrom::all : LearnedFrom::active,
+                         "Learn from " + document.active_template()->name);
+          } else {
             for (const PartTemplate& each : learned) add_template(studio.history, each, "Learn " + each.name);
           }
           studio.ui.part.reset();

@@ -30,7 +30,7 @@ struct LearningRound {
   std::vector<TemplateOrigin> origins;  // one per template
   bool dropped = false;                 // a template that no judging shape takes was left out
   double energy_before = 0;  // mean choice energy over the judging shapes, with what the templates cost
-  double energy = 0;         // afterwards; never above energy_before
+  double energy = 0;         // afterwards
 
   bool changed() const;
 };

@@ -27,9 +27,11 @@ void duplicate_active_template(History& history);
 void remove_active_template(History& history);
 void rename_active_template(History& history, const std::string& name);
 void select_template(History& history, std::size_t index);
-// What was learned from the active template takes its place; the first of it becomes active. Needs one at
-// least.
-void take_learned(History& history, std::vector<PartTemplate> learned, const std::string& message);
+// What was learned, one template at least, takes the place of the active template, or of all; the first of it
+// becomes active.
+enum class LearnedFrom { active, all };
+void take_learned(History& history, std::vector<PartTemplate> learned, LearnedFrom from,
+                  const std::string& message);
 
 // Parts. The functions that add one return its index.
 std::size_t add_part(History& history, const Box& box);  // with its own name and a label of its own

@@ -44,11 +44,14 @@ void add_template(History& history, PartTemplate part_template, const std::strin
   history.commit(std::move(document), message);
 }
 
-void take_learned(History& history, std::vector<PartTemplate> learned, const std::string& message) {
+void take_learned(History& history, std::vector<PartTemplate> learned, LearnedFrom from,
+                  const std::string& message) {
   if (learned.empty()) throw PreconditionError("nothing was learned");
   Document document = history.committed();
   auto& templates = document.templates;
-  if (document.active < templates.size())
+  if (from == LearnedFrom::all)
+    templates.clear();
+  else if (document.active < templates.size())
     templates.erase(templates.begin() + static_cast<std::ptrdiff_t>(document.active));
   document.active = std::min(document.active, templates.size());
   for (std::size_t i = 0; i < learned.size(); ++i) {

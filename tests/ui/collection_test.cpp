@@ -79,6 +79,8 @@ TEST_CASE("Learning is a job whose result is one step that can be undone") {
   TestWindow window;
   window.open_chairs(4);
   window.make_template();
+  window.click("command:fit-all");  // the project has the template then
+  window.settle();
   const Document before = window.studio().history.committed();
   window.click("command:learn");
   window.settle();
