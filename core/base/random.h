@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 namespace archetype {
 
@@ -41,5 +42,8 @@ class RandomStream {
  private:
   std::uint64_t state_;
 };
+
+// `count` of the numbers below n, every set of them as likely, in increasing order; all if there are no more.
+std::vector<std::size_t> random_subset(std::size_t n, std::size_t count, std::uint64_t seed);
 
 }  // namespace archetype

@@ -44,8 +44,10 @@ std::string request_hash(const Project& project, const std::vector<PartTemplate>
        {static_cast<double>(iterations), static_cast<double>(sample_size), learning_share, tau, means,
         spreads, feature_spread, agreeing_share, cluster_share, static_cast<double>(smallest_cluster), noise})
     text += number_text(value) + "\n";
-  for (const ShapeRecord& shape : project.shapes())
-    text.append(shape.name).append(" ").append(shape.hash.to_hex()).append("\n");
+  for (const ShapeRecord& shape : project.shapes()) {
+    text += shape.name + " " + shape.hash.to_hex() + " " + std::string(to_string(shape.up)) + " " +
+            std::to_string(shape.requested_points) + " " + std::to_string(shape.seed) + "\n";
+  }
   return hash_content(std::as_bytes(std::span(text))).to_hex();
 }
 
@@ -96,14 +98,11 @@ std::optional<State> stored_state(const Project& project) {
   }
 }
 
-// The first `count` of the items in an order that the seed decides.
-std::vector<ShapeId> draw(std::vector<ShapeId> items, std::size_t count, std::uint64_t seed) {
-  RandomStream random(seed);
-  count = std::min(count, items.size());
-  for (std::size_t i = 0; i < count; ++i) std::swap(items[i], items[i + random.below(items.size() - i)]);
-  items.resize(count);
-  std::ranges::sort(items);
-  return items;
+// `count` of the shapes, in their order, which is that of their names: ids tell when a shape was imported.
+std::vector<ShapeId> draw(const std::vector<ShapeId>& shapes, std::size_t count, std::uint64_t seed) {
+  std::vector<ShapeId> drawn;
+  for (const std::size_t i : random_subset(shapes.size(), count, seed)) drawn.push_back(shapes[i]);
+  return drawn;
 }
 
 // A small collection judges as a whole.
@@ -178,9 +177,10 @@ class LearnRun {
   bool learn() {
     const std::vector<ShapeId> shapes = project_.shape_ids();
     const std::vector<ShapeId> judges = judging_shapes(shapes, options_, seed_);
+    const std::set<ShapeId> judging_ids(judges.begin(), judges.end());
     std::vector<ShapeId> rest;
     for (const ShapeId id : shapes) {
-      if (!std::ranges::binary_search(judges, id)) rest.push_back(id);
+      if (!judging_ids.contains(id)) rest.push_back(id);
     }
     std::vector<ShapeSamples> judging;
     if (!state_.settled && !load(project_, judges, control_, judging)) return false;

@@ -2,7 +2,6 @@
 #include "core/session/suggest_templates.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "core/base/error.h"
 #include "core/base/random.h"
@@ -10,18 +9,6 @@
 namespace archetype {
 
 namespace {
-
-// `count` of the numbers below n, in increasing order; all if there are no more.
-std::vector<std::size_t> choose(std::size_t n, std::size_t count, std::uint64_t seed) {
-  std::vector<std::size_t> all(n);
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  if (count >= n) return all;
-  RandomStream random(seed);
-  for (std::size_t i = 0; i < count; ++i) std::swap(all[i], all[i + random.below(n - i)]);
-  all.resize(count);
-  std::ranges::sort(all);
-  return all;
-}
 
 // The position of each in `all`, which holds them in increasing order.
 std::vector<std::size_t> positions(const std::vector<std::size_t>& chosen,
@@ -39,8 +26,8 @@ Suggestions suggest_templates(const Project& project, const SuggestOptions& opti
                               const JobControl& control) {
   const std::vector<ShapeId> ids = project.shape_ids();
   if (ids.empty()) throw PreconditionError("templates can only be suggested for a project that has shapes");
-  const auto segmented = choose(ids.size(), options.segmented_shapes, derive_seed(options.seed, 0));
-  const auto scored = choose(ids.size(), options.scored_shapes, derive_seed(options.seed, 1));
+  const auto segmented = random_subset(ids.size(), options.segmented_shapes, derive_seed(options.seed, 0));
+  const auto scored = random_subset(ids.size(), options.scored_shapes, derive_seed(options.seed, 1));
   std::vector<std::size_t> needed;
   std::ranges::set_union(segmented, scored, std::back_inserter(needed));
   Suggestions result;

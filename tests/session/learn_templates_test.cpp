@@ -19,9 +19,12 @@ struct Chairs {
 
   explicit Chairs(std::size_t count) {
     write_chairs(folder.path(), count);
+    import({folder.path() / "shapes"});
+  }
+  void import(const std::vector<std::filesystem::path>& paths, int points = 150) {
     ImportOptions options;
-    options.points = 150;
-    import_shapes(project, {folder.path() / "shapes"}, options, {});
+    options.points = points;
+    import_shapes(project, paths, options, {});
   }
   LearnReport learn(int iterations = 10, bool fresh = false, const JobControl& control = {}) {
     LearnOptions options;
@@ -78,6 +81,31 @@ TEST_CASE("a learning that was stopped goes on where it was, to the same templat
   const LearnReport again = stopped.learn(10, true);
   CHECK(again.steps.size() == second.steps.size());
   CHECK(stopped.learned() == whole.learned());
+}
+
+TEST_CASE("the order in which shapes were imported does not matter") {
+  Chairs at_once(20);
+  at_once.learn();
+  Chairs one_by_one(20);
+  one_by_one.project = Project::in_memory();
+  for (int i = 19; i >= 0; --i) {
+    const std::string name = "chair_000" + std::string(i < 10 ? "0" : "") + std::to_string(i) + ".off";
+    one_by_one.import({one_by_one.folder.path() / "shapes" / name});
+  }
+  one_by_one.learn();
+  CHECK(one_by_one.learned() == at_once.learned());
+}
+
+TEST_CASE("learning starts over where the shapes are no longer the same") {
+  Chairs chairs(12);
+  chairs.learn(1);
+  chairs.import({chairs.folder.path() / "shapes"}, 120);
+  const LearnReport again = chairs.learn(1);
+  CHECK(again.fit.fitted == 12);
+  Chairs other(12);
+  other.import({other.folder.path() / "shapes"}, 120);
+  other.learn(1);
+  CHECK(chairs.learned() == other.learned());
 }
 
 TEST_CASE("what another program left as the state of learning is not gone on from") {
