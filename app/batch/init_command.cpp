@@ -80,7 +80,11 @@ int run_init(Arguments& arguments, const Invocation& invocation) {
     Progress progress;
     suggestions = suggest_templates(project, options, invocation.threads, progress.control(invocation.stop));
   }
-  store_suggestions(project, suggestions);
+  if (!suggestions.templates.empty()) {
+    std::vector<PartTemplate> templates;
+    for (const InitialTemplate& each : suggestions.templates) templates.push_back(each.part_template);
+    store_suggestions(project, templates, 0);
+  }
   print_suggestions(suggestions, invocation);
   return suggestions.cancelled ? exit_code::stopped : exit_code::done;
 }

@@ -7,8 +7,8 @@
 #include "app/batch/table.h"
 #include "core/base/error.h"
 #include "core/io/template_file.h"
+#include "core/session/automatic_start.h"
 #include "core/session/learn_templates.h"
-#include "core/session/suggest_templates.h"
 
 namespace archetype {
 
@@ -36,6 +36,8 @@ void print_report(const Project& project, const LearnReport& report, const Invoc
                 {"learned", report.learned},
                 {"outliers", report.outliers},
                 {"not_fitted_or_labelled", refused_json(report.fit.refused)},
+                {"learning_seconds", report.learning_seconds},
+                {"fitting_seconds", report.fitting_seconds},
                 {"cancelled", report.cancelled}});
     return;
   }
@@ -61,24 +63,8 @@ void print_report(const Project& project, const LearnReport& report, const Invoc
   print_table(std::cout, rows);
   std::cout << "\nfitted " << report.fit.fitted << ", kept " << report.fit.kept << ", learned from "
             << report.learned << ", outliers " << report.outliers << ", refused " << report.fit.refused.size()
-            << std::endl;
-}
-
-// Of a project without a template: of what `archetype init` makes, the one that most can be learned from.
-// Empty when cancelled.
-std::vector<PartTemplate> suggest_best(Project& project, const LearnOptions& options,
-                                       const Invocation& invocation, const JobControl& control) {
-  SuggestOptions suggest;
-  suggest.seed = invocation.seed;
-  const Suggestions suggestions = suggest_templates(project, suggest, invocation.threads, control);
-  if (suggestions.templates.empty()) return {};
-  std::vector<PartTemplate> candidates;
-  for (const InitialTemplate& each : suggestions.templates) candidates.push_back(each.part_template);
-  const auto best =
-      best_to_learn_from(project, candidates, {}, options, invocation.seed, invocation.threads, control);
-  if (!best) return {};
-  store_suggestions(project, suggestions);
-  return {candidates[*best]};
+            << "\nlearning took " << fixed(report.learning_seconds, 1) << " s, fitting "
+            << fixed(report.fitting_seconds, 1) << " s" << std::endl;
 }
 
 int run_learn(const Arguments& arguments, const Invocation& invocation) {
@@ -93,11 +79,16 @@ int run_learn(const Arguments& arguments, const Invocation& invocation) {
   {
     Progress progress;
     if (templates.empty()) {
-      templates = suggest_best(project, arguments.options, invocation, progress.control(invocation.stop));
-      if (templates.empty()) return exit_code::stopped;
+      const auto start = automatic_start(project, {}, arguments.options, invocation.seed, invocation.threads,
+                                         progress.control(invocation.stop));
+      if (start) templates.push_back(*start);
     }
-    report = learn_templates(project, templates, {}, arguments.options, invocation.seed, arguments.fresh,
-                             invocation.threads, progress.control(invocation.stop));
+    if (templates.empty()) {
+      report.cancelled = true;
+    } else {
+      report = learn_templates(project, templates, {}, arguments.options, invocation.seed, arguments.fresh,
+                               invocation.threads, progress.control(invocation.stop));
+    }
   }
   print_report(project, report, invocation);
   if (report.cancelled) return exit_code::stopped;

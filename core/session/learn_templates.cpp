@@ -2,11 +2,11 @@
 #include "core/session/learn_templates.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <set>
 
 #include "core/base/error.h"
@@ -34,8 +34,10 @@ struct State {
   std::vector<LearnedTemplate> templates;
 };
 
-std::string request_hash(const Project& project, const std::vector<PartTemplate>& initial,
-                         const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed) {
+}  // namespace
+
+ContentHash learn_request(const Project& project, const std::vector<PartTemplate>& initial,
+                          const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed) {
   // Taken apart by position, so that an option which is added there and forgotten here does not compile.
   const auto& [iterations, sample_size, learning_share, tau, means, spreads, feature_spread, agreeing_share,
                cluster_share, smallest_cluster, noise] = options;
@@ -48,8 +50,10 @@ std::string request_hash(const Project& project, const std::vector<PartTemplate>
     text += shape.name + " " + shape.hash.to_hex() + " " + std::string(to_string(shape.up)) + " " +
             std::to_string(shape.requested_points) + " " + std::to_string(shape.seed) + "\n";
   }
-  return hash_content(std::as_bytes(std::span(text))).to_hex();
+  return hash_content(std::as_bytes(std::span(text)));
 }
+
+namespace {
 
 void store_state(Project& project, const State& state) {
   Json json{{"request", state.request}, {"settled", state.settled}, {"templates", state.ids}};
@@ -134,8 +138,11 @@ class LearnRun {
         control_(control) {}
 
   LearnReport run(const std::vector<PartTemplate>& initial, bool fresh) {
+    const Clock::time_point begun = Clock::now();
     begin(initial, fresh);
     const bool all = learn();
+    const Clock::time_point learned_at = Clock::now();
+    report_.learning_seconds = std::chrono::duration<double>(learned_at - begun).count();
     report_.steps = state_.steps;
     report_.cancelled = !all;
     if (!all) return std::move(report_);
@@ -144,12 +151,15 @@ class LearnRun {
     report_.fit = fit_collection(project_, learned, fit_options_, threads_, control_);
     report_.cancelled = report_.fit.cancelled;
     if (!report_.cancelled) mark_fits();
+    report_.fitting_seconds = std::chrono::duration<double>(Clock::now() - learned_at).count();
     return std::move(report_);
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   void begin(const std::vector<PartTemplate>& initial, bool fresh) {
-    const std::string request = request_hash(project_, initial, fit_options_, options_, seed_);
+    const std::string request = learn_request(project_, initial, fit_options_, options_, seed_).to_hex();
     if (!fresh) {
       std::optional<State> stored = stored_state(project_);
       if (stored && stored->request == request) {
@@ -190,24 +200,31 @@ class LearnRun {
       const auto key = static_cast<std::uint64_t>(iteration);
       if (!load(project_, draw(rest, options_.sample_size, derive_seed(seed_, key)), control_, others))
         return false;
-      const auto round = learning_round(state_.templates, judging, others, fit_options_, options_, threads_,
-                                        round_control(iteration));
+      const auto round =
+          learning_round(state_.templates, judging, others, fit_options_, options_, threads_,
+                         round_control(iteration, judging.size() + others.size(), judging.size()));
       if (!round) return false;
       keep(*round, iteration);
     }
     return true;
   }
 
-  // Says which round it is; the rounds to come count as long as this one.
-  JobControl round_control(int iteration) const {
+  // Says which round it is and counts the shapes that are fitted in it, to each template and proposal. How
+  // many proposals there will be is not known before: the total grows with them.
+  JobControl round_control(int iteration, std::size_t shapes, std::size_t judges) {
     JobControl round;
     round.stop = control_.stop;
-    std::string what = "learning, round " + std::to_string(iteration) +
+    std::string what = "learning, round " + std::to_string(iteration) + " of at most " +
+                       std::to_string(options_.iterations) +
                        ", templates: " + std::to_string(state_.templates.size());
     if (!state_.steps.empty())
       what += ", energy " + number_text(std::round(state_.steps.back().energy * 1e4) / 1e4);
-    round.report = [this, what](std::size_t done, std::size_t total, std::string_view) {
-      control_.progress(done, total, what);
+    what += ", shapes fitted:";
+    const std::size_t sure = state_.templates.size() * (shapes + judges);  // as it is, and re-estimated
+    fitted_in_round_ = 0;
+    round.report = [this, what, sure](std::size_t done, std::size_t total, std::string_view) {
+      const std::size_t fitted = ++fitted_in_round_;
+      control_.progress(fitted, std::max(sure, fitted + total - std::min(done, total)), what);
     };
     return round;
   }
@@ -266,6 +283,7 @@ class LearnRun {
   unsigned threads_;
   const JobControl& control_;
   State state_;
+  std::atomic<std::size_t> fitted_in_round_ = 0;
   LearnReport report_;
 };
 
@@ -283,39 +301,25 @@ std::vector<PartTemplate> learning_start(const Project& project) {
   return current;
 }
 
-std::optional<std::size_t> best_to_learn_from(const Project& project,
-                                              const std::vector<PartTemplate>& candidates,
-                                              const FitOptions& fit_options, const LearnOptions& options,
-                                              std::uint64_t seed, unsigned threads,
-                                              const JobControl& control) {
+std::optional<double> energy_after_trial(const Project& project, const PartTemplate& start,
+                                         const FitOptions& fit_options, const LearnOptions& options,
+                                         std::uint64_t seed, unsigned threads, const JobControl& control) {
   // What a candidate gains later is little beside what parts the candidates.
   constexpr int rounds = 2;
-  if (candidates.empty()) throw PreconditionError("there is no template to choose from");
   if (project.shape_count() == 0) throw PreconditionError("there is no shape to learn from");
   std::vector<ShapeSamples> judging;
   if (!load(project, judging_shapes(project.shape_ids(), options, seed), control, judging))
     return std::nullopt;
-  std::size_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t c = 0; c < candidates.size(); ++c) {
-    std::vector<LearnedTemplate> templates{{candidates[c], candidates[c]}};
-    JobControl candidate_control;
-    candidate_control.stop = control.stop;
-    double energy = 0;
-    for (int round = 0; round < rounds; ++round) {
-      control.progress(c * rounds + static_cast<std::size_t>(round), candidates.size() * rounds,
-                       "trying what can be learned from each");
-      auto learned = learning_round(templates, judging, {}, fit_options, options, threads, candidate_control);
-      if (!learned) return std::nullopt;
-      templates = std::move(learned->templates);
-      energy = learned->energy;
-      if (!learned->changed()) break;
-    }
-    if (energy >= least) continue;
-    least = energy;
-    best = c;
+  std::vector<LearnedTemplate> templates{{start, start}};
+  double energy = 0;
+  for (int round = 0; round < rounds; ++round) {
+    auto learned = learning_round(templates, judging, {}, fit_options, options, threads, control);
+    if (!learned) return std::nullopt;
+    templates = std::move(learned->templates);
+    energy = learned->energy;
+    if (!learned->changed()) break;
   }
-  return best;
+  return energy;
 }
 
 LearnReport learn_templates(Project& project, const std::vector<PartTemplate>& initial,

@@ -19,6 +19,8 @@ struct LearnReport {
   FitCollectionReport fit;          // of the learned templates to the whole collection
   std::size_t learned = 0;          // shapes that the templates were learned from, or could have been
   std::size_t outliers = 0;         // shapes that no template explains
+  double learning_seconds = 0;      // of this call, until the templates were there
+  double fitting_seconds = 0;       // of this call, for the whole collection
   bool cancelled = false;
 };
 
@@ -29,14 +31,15 @@ inline constexpr std::string_view learn_state_setting = "learn.state";
 // that learning began with. Empty for a project without templates.
 std::vector<PartTemplate> learning_start(const Project& project);
 
-// The candidate whose learning ends with the least energy: the fully automatic mode of section 4.3. A few
-// rounds of learning each, on the shapes that would judge it; the project is not changed. Nothing if
-// cancelled. Throws PreconditionError without candidates or shapes.
-std::optional<std::size_t> best_to_learn_from(const Project& project,
-                                              const std::vector<PartTemplate>& candidates,
-                                              const FitOptions& fit_options, const LearnOptions& options,
-                                              std::uint64_t seed, unsigned threads,
-                                              const JobControl& control);
+// Of everything that decides what is learned: templates, options, seed, and the shapes with their samples.
+ContentHash learn_request(const Project& project, const std::vector<PartTemplate>& initial,
+                          const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed);
+
+// The energy that a few rounds of learning from one template end with, on the shapes that would judge it; the
+// project is not changed. Nothing if cancelled. Throws PreconditionError without shapes.
+std::optional<double> energy_after_trial(const Project& project, const PartTemplate& start,
+                                         const FitOptions& fit_options, const LearnOptions& options,
+                                         std::uint64_t seed, unsigned threads, const JobControl& control);
 
 // Refines and spawns templates round by round until a round keeps nothing new, then fits what was learned to
 // every shape and labels it. A round is one transaction: its templates become the current ones and remember

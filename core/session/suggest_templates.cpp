@@ -51,23 +51,22 @@ Suggestions suggest_templates(const Project& project, const SuggestOptions& opti
   return result;
 }
 
-void store_suggestions(Project& project, const Suggestions& suggestions) {
-  if (suggestions.templates.empty()) return;
+void store_suggestions(Project& project, const std::vector<PartTemplate>& suggested, std::size_t chosen) {
   Project::Transaction transaction(project);
   const std::vector<TemplateRecord> known = project.templates(false);
   std::vector<TemplateId> ids;
-  for (const InitialTemplate& suggestion : suggestions.templates) {
-    const auto same = std::ranges::find(known, suggestion.part_template, &TemplateRecord::part_template);
+  for (const PartTemplate& suggestion : suggested) {
+    const auto same = std::ranges::find(known, suggestion, &TemplateRecord::part_template);
     if (same != known.end()) {
       ids.push_back(same->id);
       continue;
     }
     TemplateRecord record;
-    record.part_template = suggestion.part_template;
+    record.part_template = suggestion;
     record.current = false;
     ids.push_back(project.add_template(record));
   }
-  project.set_current_templates({ids.front()});
+  project.set_current_templates({ids.at(chosen)});
   transaction.commit();
 }
 

@@ -27,7 +27,7 @@ struct Suggestions {
 Suggestions suggest_templates(const Project& project, const SuggestOptions& options, unsigned threads,
                               const JobControl& control);
 
-// Stores those that the project does not have yet, and makes the best one its current template.
-void store_suggestions(Project& project, const Suggestions& suggestions);
+// Stores those that the project does not have yet, and makes the one at `chosen` its current template.
+void store_suggestions(Project& project, const std::vector<PartTemplate>& suggested, std::size_t chosen);
 
 }  // namespace archetype

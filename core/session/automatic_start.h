@@ -1,0 +1,25 @@
+// A template to begin learning with, made of nothing but the shapes: the fully automatic mode of section 4.3.
+#pragma once
+
+#include <optional>
+
+#include "core/base/job_control.h"
+#include "core/fitting/fit_options.h"
+#include "core/io/project.h"
+#include "core/learning/learn_options.h"
+
+namespace archetype {
+
+// The key of the project's setting that says how far the choice has come.
+inline constexpr std::string_view start_state_setting = "learn.start";
+
+// Suggests templates (suggest_templates.h), learns a little from each on the shapes that would judge it, and
+// takes the one whose learning ends with the least energy. All of them are stored in the project then, and
+// this one becomes its current template. What was suggested, and what came of each, is kept on the way: a
+// stopped or killed call goes on there, and ends with the same template, if options, seed and shapes are the
+// same. Nothing if cancelled. Throws PreconditionError without shapes.
+std::optional<PartTemplate> automatic_start(Project& project, const FitOptions& fit_options,
+                                            const LearnOptions& options, std::uint64_t seed, unsigned threads,
+                                            const JobControl& control);
+
+}  // namespace archetype
