@@ -128,7 +128,7 @@ ElementLabeller::ElementLabeller(const PolygonMesh& mesh, const ShapeSamples& sa
   }
   const FaceAdjacency adjacency = find_adjacent_faces(mesh);
   surface_ = adjacency.shared_share >= smallest_shared_share && area > 0;
-  if (!surface_) return;
+  if (!surface_ || control.cancelled()) return;
   faces_ = make_face_graph(adjacency, elements_.size(), area, options);
   points_ = make_point_graph(samples, options);
   around_.reserve(samples.size());

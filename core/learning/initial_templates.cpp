@@ -158,7 +158,7 @@ class Search {
     for (std::size_t i = 0; i < fits->size(); ++i) aligned.push_back({&segmentations_[i], &(*fits)[i]});
     PartTemplate joined = base;
     joined.name = "joined, " + base.name;
-    std::ranges::move(recurring_parts(aligned), std::back_inserter(joined.parts));
+    std::ranges::move(recurring_parts(aligned, stop_only_), std::back_inserter(joined.parts));
     name_parts(joined);
     std::optional<InitialTemplate> best = score(std::move(joined));
     for (std::size_t k = best ? best->part_template.parts.size() : 0; k-- > base.parts.size();) {

@@ -108,7 +108,8 @@ TemplatePart part_of(const Members& members, const std::vector<FramedBox>& boxes
 
 }  // namespace
 
-std::vector<TemplatePart> recurring_parts(std::span<const AlignedSegmentation> shapes) {
+std::vector<TemplatePart> recurring_parts(std::span<const AlignedSegmentation> shapes,
+                                          const JobControl& control) {
   const std::vector<FramedBox> boxes = free_boxes(shapes);
   std::vector<bool> taken(boxes.size(), false);
   const double least = std::max(2.0, smallest_support * static_cast<double>(shapes.size()));
@@ -116,6 +117,7 @@ std::vector<TemplatePart> recurring_parts(std::span<const AlignedSegmentation> s
   for (;;) {
     Members best;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
+      if (control.cancelled()) return {};
       if (taken[i]) continue;
       Members members = members_about(boxes[i].box, boxes, taken);
       if (members.size() > best.size()) best = std::move(members);

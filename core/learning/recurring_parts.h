@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "core/base/job_control.h"
 #include "core/learning/segment_shape.h"
 #include "core/model/part_template.h"
 #include "core/model/shape_fit.h"
@@ -18,10 +19,12 @@ struct AlignedSegmentation {
 // The parts that recur in the shapes though the template lacks them: boxes of different shapes, one of each
 // at most, that are near to each other in place and extent once they stand in the template's frame, and near
 // to no part of their shape's fit. The part of the most shapes comes first; its existence is the share of the
-// shapes that have such a box, its mean and deviations are those of the boxes. O(boxes squared).
+// shapes that have such a box, its mean and deviations are those of the boxes. O(parts x boxes squared).
+// Nothing if cancelled.
 //
 // Differs from the paper, where the first template has to hold all parts: no single shape has to have them
 // all here.
-std::vector<TemplatePart> recurring_parts(std::span<const AlignedSegmentation> shapes);
+std::vector<TemplatePart> recurring_parts(std::span<const AlignedSegmentation> shapes,
+                                          const JobControl& control = {});
 
 }  // namespace archetype

@@ -30,14 +30,17 @@ std::vector<double> element_areas(const PolygonMesh& mesh) {
   return areas;
 }
 
-void compare(Work& work, const std::filesystem::path& label_folder) {
+void compare(Work& work, const std::filesystem::path& label_folder, const JobControl& control) {
   const auto label_file = find_labels(label_folder, work.shape.name);
   if (!label_file) {
     work.outcome = Outcome::without_truth;
     return;
   }
   const std::vector<int> truth = read_labels(*label_file, work.shape.element_count, work.label_names);
-  work.overlap = measure_overlap(work.parts, truth, element_areas(read_imported(work.shape)));
+  if (control.cancelled()) return;
+  const PolygonMesh mesh = read_imported(work.shape);
+  if (control.cancelled()) return;
+  work.overlap = measure_overlap(work.parts, truth, element_areas(mesh));
 }
 
 class Evaluation {
@@ -55,10 +58,10 @@ class Evaluation {
   LabellingEvaluation run(unsigned threads, const JobControl& control) {
     const std::vector<ShapeId> ids = project_.shape_ids();
     ring_.resize(pipeline_window(threads));
-    const auto compute = [this](std::size_t i) {
+    const auto compute = [&, this](std::size_t i) {
       Work& work = slot(i);
       try {
-        if (work.outcome == Outcome::measured) compare(work, label_folder_);
+        if (work.outcome == Outcome::measured) compare(work, label_folder_, control);
       } catch (const std::exception& error) {
         work.outcome = Outcome::refused;
         work.reason = error.what();
@@ -68,8 +71,8 @@ class Evaluation {
                                       {.prepare = [&](std::size_t i) { load(slot(i) = {}, ids[i]); },
                                        .compute = compute,
                                        .finish = [this](std::size_t i) { take(slot(i)); }});
-    result_.cancelled = !all;
-    if (!all) return std::move(result_);
+    result_.cancelled = !all || control.cancelled();
+    if (result_.cancelled) return std::move(result_);
     std::vector<int> labels;
     for (const EvaluatedPart& part : result_.parts) labels.push_back(part.label);
     result_.report = measure_labelling(shapes_, labels);

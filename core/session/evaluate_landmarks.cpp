@@ -66,18 +66,18 @@ std::vector<std::string> read_names(const std::filesystem::path& path) {
 
 class Evaluation {
  public:
-  Evaluation(const Project& project, const std::filesystem::path& folder)
-      : project_(project), folder_(folder) {
+  Evaluation(const Project& project, const std::filesystem::path& folder, const JobControl& control)
+      : project_(project), folder_(folder), control_(control) {
     for (TemplateRecord& record : project.templates(false)) {
       templates_[record.id] = std::move(record.part_template);
     }
     result_.landmark_names = read_names(folder / "names.txt");
   }
 
-  LandmarkEvaluation run(unsigned threads, const JobControl& control) {
+  LandmarkEvaluation run(unsigned threads) {
     ring_.resize(pipeline_window(threads));
     const std::vector<ShapeId> ids = project_.shape_ids();
-    bool all = ordered_pipeline(ids.size(), threads, control, "locating landmarks",
+    bool all = ordered_pipeline(ids.size(), threads, control_, "locating landmarks",
                                 {.prepare = [&](std::size_t i) { load(slot(i) = {}, ids[i]); },
                                  .compute = [this](std::size_t i) { guarded(slot(i), &Evaluation::locate); },
                                  .finish = [this](std::size_t i) { take_located(slot(i)); }});
@@ -86,11 +86,11 @@ class Evaluation {
       result_.landmarks.resize(std::max(result_.landmarks.size(), marked.landmarks.size()));
     }
     all =
-        all && ordered_pipeline(marked_.size(), threads, control, "comparing landmarks",
+        all && ordered_pipeline(marked_.size(), threads, control_, "comparing landmarks",
                                 {.prepare = [&](std::size_t i) { load(slot(i) = {}, marked_[i].id); },
                                  .compute = [this](std::size_t i) { guarded(slot(i), &Evaluation::compare); },
                                  .finish = [this](std::size_t i) { take_compared(slot(i), i); }});
-    result_.cancelled = !all;
+    result_.cancelled = !all || control_.cancelled();
     return std::move(result_);
   }
 
@@ -130,6 +130,7 @@ class Evaluation {
     }
     work.marked.landmarks = read_landmarks(*file);
     const PolygonMesh mesh = read_imported(work.shape);
+    if (control_.cancelled()) return;
     const SurfaceToTemplate to_template({mesh, work.shape.frame, work.fit, work.labels});
     for (const Landmark& landmark : work.marked.landmarks) {
       work.marked.places.push_back(landmark.present ? to_template.locate(position(landmark)) : std::nullopt);
@@ -155,6 +156,7 @@ class Evaluation {
 
   void compare(Work& work) const {
     const PolygonMesh mesh = read_imported(work.shape);
+    if (control_.cancelled()) return;
     const PartTemplate& own_template = templates_.at(work.marked.part_template);
     const TemplateToSurface to_surface({mesh, work.shape.frame, work.fit, work.labels}, own_template);
     const double diameter = work.shape.radius / work.shape.frame.scale;
@@ -165,6 +167,7 @@ class Evaluation {
     for (std::size_t s = 0; s < marked_.size(); ++s) {
       const Marked& source = marked_[s];
       if (source.id == self->id) continue;
+      if (control_.cancelled()) return;
       const PartTemplate& their_template = templates_.at(source.part_template);
       const std::size_t count = std::min(source.landmarks.size(), self->landmarks.size());
       for (std::size_t i = 0; i < count; ++i) {
@@ -201,6 +204,7 @@ class Evaluation {
 
   const Project& project_;
   const std::filesystem::path& folder_;
+  const JobControl& control_;
   std::map<TemplateId, PartTemplate> templates_;
   std::vector<Work> ring_;
   std::vector<Marked> marked_;  // by name
@@ -214,7 +218,7 @@ LandmarkEvaluation evaluate_landmarks(const Project& project, const std::filesys
   if (!std::filesystem::is_directory(folder)) {
     throw FileError(folder, "is no folder; give the folder that the landmark files are in");
   }
-  return Evaluation(project, folder).run(threads, control);
+  return Evaluation(project, folder, control).run(threads);
 }
 
 }  // namespace archetype

@@ -22,7 +22,8 @@ struct ReadResult {
   ShapeRecord record;
   ShapeSamples samples;
   bool unchanged = false;
-  std::string refused;  // the reason, or empty
+  bool cut_short = false;  // by a stop: nothing is known
+  std::string refused;     // the reason, or empty
   std::vector<std::string> warnings;
 };
 
@@ -66,10 +67,11 @@ class Import {
     for (const RefusedInput& input : scan.refused) refuse(input);
     choose_names(std::move(scan.inputs));
     results_.resize(pipeline_window(options_.threads));
-    report_.cancelled = !ordered_pipeline(inputs_.size(), options_.threads, control_, "reading shapes",
-                                          {.prepare = {},
-                                           .compute = [this](std::size_t i) { read(i); },
-                                           .finish = [this](std::size_t i) { take(i); }});
+    const bool all = ordered_pipeline(inputs_.size(), options_.threads, control_, "reading shapes",
+                                      {.prepare = {},
+                                       .compute = [this](std::size_t i) { read(i); },
+                                       .finish = [this](std::size_t i) { take(i); }});
+    report_.cancelled = report_.cancelled || !all;
     commit();
     if (inputs_.empty() && control_.cancelled()) report_.cancelled = true;  // while it searched
     std::ranges::sort(report_.refused, {}, &RefusedInput::path);
@@ -133,6 +135,8 @@ class Import {
         record.id = known->id;
         return;
       }
+      result.cut_short = control_.cancelled();
+      if (result.cut_short) return;
       result.samples = sample_shape(file.mesh, file.hash, {options_.points, record.up, options_.seed});
     } catch (const std::bad_alloc&) {
       result.refused = "needs more memory than there is";
@@ -143,6 +147,10 @@ class Import {
 
   void take(std::size_t i) {
     ReadResult& result = slot(i);
+    if (result.cut_short) {
+      report_.cancelled = true;
+      return;
+    }
     for (const std::string& warning : result.warnings) report_.warnings.push_back(warning);
     if (!result.refused.empty()) {
       refuse({inputs_[i].path, result.refused});
