@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -54,11 +55,13 @@ Finished run_archetype(const std::vector<std::string>& arguments, std::optional<
     kill(child, signal->number);  // not yet waited for, so it is still this child, if only a dead one
   }
   int status = 0;
-  REQUIRE(waitpid(child, &status, 0) == child);
+  rusage usage{};
+  REQUIRE(wait4(child, &status, 0, &usage) == child);
   Finished finished;
   if (WIFEXITED(status)) finished.exit_code = WEXITSTATUS(status);
   finished.out = read_bytes(folder.path() / "out");
   finished.err = read_bytes(folder.path() / "err");
+  finished.peak_megabytes = static_cast<double>(usage.ru_maxrss) / 1024;
   finished.seconds_after_signal = std::chrono::duration<double>(Clock::now() - sent).count();
   return finished;
 }

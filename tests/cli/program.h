@@ -15,7 +15,8 @@ struct Finished {
   int exit_code = -1;  // -1: ended by a signal
   std::string out;
   std::string err;
-  double seconds_after_signal = 0;
+  double seconds_after_signal = 0;  // or from the start, if none was sent
+  double peak_megabytes = 0;        // of resident memory
 };
 
 struct Signal {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <csignal>
 
-#include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/io/project.h"
 #include "core/io/template_file.h"
@@ -79,15 +78,6 @@ struct Committed {
     }
   }
 };
-
-// Of a project that may be written just now; none while it is being created.
-std::size_t committed_shapes(const fs::path& path) {
-  try {
-    return Project::open(path).shape_count();
-  } catch (const Error&) {
-    return 0;
-  }
-}
 
 constexpr int kills = 25;
 constexpr std::size_t shape_count = 48;
@@ -181,22 +171,31 @@ TEST_CASE("a learning that is killed 20 times ends as if it had not been") {
   CHECK((work.exported("p") == expected));
 }
 
-TEST_CASE("Ctrl-C stops within a second, keeps what is done, and the same command goes on from there") {
-  const Work work(400);
-  const std::vector<std::string> import{"import", work.path("p"), work.path("shapes"), "--points", "1000"};
-  std::size_t imported = 0;
-  for (const int number : {SIGINT, SIGTERM}) {
-    // However fast the machine is, the signal comes while most shapes are still to be done.
-    const auto some_more = [&] {
-      return fs::exists(work.path("p")) && committed_shapes(work.path("p")) >= imported + 10;
-    };
-    const Finished run = run_archetype(import, Signal{number, {}, some_more});
-    CAPTURE(run.err);
-    CHECK(run.exit_code == 130);
-    CHECK(run.seconds_after_signal < 1.5);  // with some room for a busy machine
-    const std::size_t now = committed_shapes(work.path("p"));
-    CHECK(now >= imported + 10);
-    CHECK(now < 400);
-    imported = now;
+TEST_CASE("a learning from nothing that is killed 20 times at any moment ends as if it had not been") {
+  const Work work(4);
+  const std::vector<std::string> learn{"learn", work.path("p"), "--threads", "2"};
+  require_run(work.import_arguments("p"), 3);
+  const Finished undisturbed = run_archetype(learn);
+  REQUIRE(undisturbed.exit_code == 0);
+  const Files expected = work.exported("p");
+  const auto whole = static_cast<std::uint64_t>(1000 * undisturbed.seconds_after_signal);
+  RandomStream random(4);
+  const auto begin_anew = [&] {
+    for (const char* ending : {"p", "p-wal", "p-shm"}) fs::remove(work.path(ending));
+    require_run(work.import_arguments("p"), 3);
+  };
+  begin_anew();
+  for (int killed = 0; killed < 20;) {
+    const Signal kill{SIGKILL, std::chrono::milliseconds(random.below(whole)), {}};
+    const Finished run = run_archetype(learn, kill);
+    if (run.exit_code == -1) {
+      ++killed;
+    } else {
+      REQUIRE(run.exit_code == 0);
+      CHECK((work.exported("p") == expected));
+      begin_anew();
+    }
   }
+  require_run(learn);
+  CHECK((work.exported("p") == expected));
 }
