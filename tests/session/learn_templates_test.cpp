@@ -2,6 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <mutex>
+#include <set>
+
 #include "core/base/error.h"
 #include "core/session/import_shapes.h"
 #include "tests/support/scratch_folder.h"
@@ -81,6 +85,29 @@ TEST_CASE("a learning that was stopped goes on where it was, to the same templat
   const LearnReport again = stopped.learn(10, true);
   CHECK(again.steps.size() == second.steps.size());
   CHECK(stopped.learned() == whole.learned());
+}
+
+TEST_CASE("progress tells the round, the templates, the energy and the shapes fitted") {
+  Chairs chairs(12);
+  std::mutex mutex;
+  std::set<std::string> stages;
+  std::size_t backwards = 0;
+  std::size_t before = 0;
+  const JobControl control{{}, [&](std::size_t done, std::size_t total, std::string_view what) {
+                             const std::lock_guard lock(mutex);
+                             if (!stages.emplace(what).second && done + 2 < before) ++backwards;
+                             before = done;
+                             CHECK(done <= total);
+                           }};
+  const LearnReport report = chairs.learn(3, false, control);
+  REQUIRE(report.steps.size() >= 2);
+  CHECK(backwards == 0);  // but for what two threads report at once
+  CHECK(stages.contains("learning, round 1 of at most 3, templates: 1, shapes fitted:"));
+  CHECK(std::ranges::any_of(stages, [](const std::string& what) {
+    return what.starts_with("learning, round 2 of at most 3, templates: ") &&
+           what.find(", energy ") != std::string::npos && what.ends_with(", shapes fitted:");
+  }));
+  CHECK(stages.contains("fitting"));
 }
 
 TEST_CASE("the order in which shapes were imported does not matter") {

@@ -1,0 +1,77 @@
+// The choice of a start is the same however often it is stopped.
+#include "core/session/automatic_start.h"
+
+#include <doctest/doctest.h>
+
+#include <mutex>
+#include <set>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/session/import_shapes.h"
+#include "core/session/learn_templates.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/support/small_collection.h"
+
+using namespace archetype;
+using namespace archetype::test;
+
+namespace {
+
+struct Chairs {
+  ScratchFolder folder;
+  Project project = Project::in_memory();
+
+  Chairs() {
+    write_chairs(folder.path(), 4);
+    ImportOptions options;
+    options.points = 60;
+    import_shapes(project, {folder.path() / "shapes"}, options, {});
+  }
+  std::optional<PartTemplate> choose(const JobControl& control = {}) {
+    return automatic_start(project, {}, {}, 1, 2, control);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a choice that was stopped goes on with the suggestions that it had, to the same one") {
+  Chairs whole;
+  const auto expected = whole.choose();
+  REQUIRE(expected);
+  Chairs stopped;
+  std::stop_source source;
+  const JobControl in_the_second_trial{source.get_token(),
+                                       [&](std::size_t done, std::size_t, std::string_view what) {
+                                         if (what.starts_with("trying") && done == 1) source.request_stop();
+                                       }};
+  CHECK_FALSE(stopped.choose(in_the_second_trial));
+  CHECK(stopped.project.templates(false).empty());
+
+  std::set<std::string> stages;
+  std::mutex mutex;
+  std::size_t least = SIZE_MAX;
+  const JobControl watched{{}, [&](std::size_t done, std::size_t, std::string_view what) {
+                             const std::lock_guard lock(mutex);
+                             stages.emplace(what);
+                             least = std::min(least, done);
+                           }};
+  CHECK(stopped.choose(watched) == expected);
+  CHECK(stages.size() == 1);  // nothing is segmented or scored again
+  CHECK(least == 1);          // nor tried
+  CHECK(learning_start(stopped.project) == std::vector{*expected});
+  CHECK(stopped.project.templates(false).size() == whole.project.templates(false).size());
+  CHECK(whole.project.templates(false).size() > 1);
+}
+
+TEST_CASE("what another program left as the state of the choice is not gone on from") {
+  Chairs chairs;
+  const auto expected = chairs.choose();
+  chairs.project.set_setting(std::string(start_state_setting), R"({"request":1})");
+  CHECK(chairs.choose() == expected);
+}
+
+TEST_CASE("a start cannot be chosen without shapes") {
+  Project empty = Project::in_memory();
+  CHECK_THROWS_AS(automatic_start(empty, {}, {}, 1, 1, {}), PreconditionError);
+}
