@@ -145,11 +145,11 @@ TEST_CASE("an import stops within a second while it searches, reads, and finds w
 }
 
 TEST_CASE("init stops within a second while it loads, segments, scores and joins") {
-  Collection chairs(8, 100);
+  Collection chairs(5, 60);
   const Project project = chairs.imported();
   const Work init = [&](const JobControl& control) {
     SuggestOptions options;
-    options.segmented_shapes = 5;
+    options.segmented_shapes = 3;
     suggest_templates(project, options, 2, control);
   };
   check_stages(init, {"loading", "segmenting", "scoring", "joining"}, chairs.random);
@@ -157,7 +157,7 @@ TEST_CASE("init stops within a second while it loads, segments, scores and joins
 }
 
 TEST_CASE("the choice of a start stops within a second") {
-  Collection chairs(6, 100);
+  Collection chairs(4, 60);
   Project project = chairs.imported();
   const Work choose = [&](const JobControl& control) {
     automatic_start(project, {}, few_shapes(), 1, 2, control);
@@ -246,13 +246,13 @@ TEST_CASE("jobs of the window stop within a second") {
          project.clear_fits();
          fit_collection(project, {chair_template()}, {}, 2, control);
        }}};
-  for (const auto& [title, work] : works) {
+  for (const auto& each : works) {
     for (int i = 0; i < 2; ++i) {
-      CAPTURE(title);
+      CAPTURE(each.first);
       Jobs jobs;
-      const JobId id = jobs.start(title, [&](const JobControl& control) -> Jobs::Apply {
+      const JobId id = jobs.start(each.first, [&](const JobControl& control) -> Jobs::Apply {
         Project project = Project::open(chairs.path);
-        work(project, control);
+        each.second(project, control);
         return {};
       });
       std::this_thread::sleep_for(std::chrono::milliseconds(5 + chairs.random.below(200)));
