@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <exception>
+#include <limits>
 
 #include "core/fitting/fit_template.h"
 
@@ -32,8 +33,8 @@ std::optional<ShapeFit> fit_at_any_yaw(const LiveFitRequest& request, const JobC
   const auto energy_at = [&](int yaw) { return fit->yaw_energies[static_cast<std::size_t>(yaw)]; };
   if (energy_at(shown) * (1 - yaw_margin) > energy_at(fit->yaw_quarters)) return fit;
   FitOptions options = request.options;
-  options.yaws.fill(false);
-  options.yaws[static_cast<std::size_t>(shown)] = true;
+  options.yaw_costs.fill(std::numeric_limits<double>::infinity());
+  options.yaw_costs[static_cast<std::size_t>(shown)] = 0;
   std::optional<ShapeFit> same = fit_template(*request.part_template, *request.samples, options, control);
   if (same) same->yaw_energies = fit->yaw_energies;
   return same;

@@ -80,6 +80,8 @@ nlohmann::ordered_json landmark_json(const LandmarkEvaluation& evaluation) {
   return {{"thresholds", thresholds},
           {"all", curves_json(evaluation.all)},
           {"same_template", curves_json(evaluation.same_template)},
+          {"as_marked", curves_json(evaluation.as_marked)},
+          {"turnable_shapes", evaluation.turnable},
           {"without_counterpart", evaluation.unmapped},
           {"landmarks", landmarks},
           {"shapes", shapes},
@@ -94,6 +96,16 @@ void print_landmark_report(const LandmarkEvaluation& evaluation) {
             << "a share of the target's diameter, or of the diagonal of its bounding box; "
             << evaluation.unmapped << " found no counterpart.\n\n";
   print_curves(evaluation);
+  if (evaluation.turnable > 0) {
+    std::cout
+        << "\n"
+        << evaluation.turnable
+        << " shapes look the same turned about up, so that nobody can tell where their front is: pairs "
+           "with them\ncount by the turn that suits all landmarks together best. Taken as marked, within "
+           "0.05 of the\ndiameter: "
+        << share(evaluation.as_marked.by_diameter, near_step)
+        << ", 0.10: " << share(evaluation.as_marked.by_diameter, far_step) << ".\n";
+  }
 
   std::cout << "\nBy landmark, of diameter:\n\n";
   std::vector<std::vector<std::string>> rows{{"landmark", "pairs", "within 0.05", "within 0.10"}};

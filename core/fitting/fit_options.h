@@ -28,10 +28,12 @@ struct FitOptions {
   int face_neighbours = 60;   // other faces may take the labels of that many samples around them
   int template_points = 600;  // samples of the template's boxes for E_t->s
 
-  std::array<bool, 4> yaws{true, true, true, true};  // candidate quarter turns about up to try
-  int max_alternations = 100;                        // the paper's
-  bool drop_parts = true;    // leave out parts that the shape gives no evidence for (part_evidence())
-  double odds_weight = 0.1;  // what the odds of a part's existence count as evidence
+  // Of the candidate quarter turns about up, beside the energies that they reach (see AgreedYaws). One with
+  // an infinite cost is not tried.
+  std::array<double, 4> yaw_costs{};
+  int max_alternations = 100;  // the paper's
+  bool drop_parts = true;      // leave out parts that the shape gives no evidence for (part_evidence())
+  double odds_weight = 0.1;    // what the odds of a part's existence count as evidence
   ExpansionOptions expansion;
 };
 

@@ -2,6 +2,7 @@
 #include "core/fitting/fit_template.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/base/error.h"
@@ -143,7 +144,7 @@ std::vector<Alternation> Fitter::start_all() const {
   std::vector<Alternation> runs;
   std::vector<Vec3> turned(samples_.size());
   for (int yaw = 0; yaw < 4; ++yaw) {
-    if (!options_.yaws[static_cast<std::size_t>(yaw)]) continue;
+    if (std::isinf(options_.yaw_costs[static_cast<std::size_t>(yaw)])) continue;
     for (std::size_t i = 0; i < turned.size(); ++i) turned[i] = turn_quarters(samples_.points[i], -yaw);
     runs.push_back(start(yaw, Vec3::Zero(), mean_boxes(template_), {}));
     runs.push_back(start(yaw, Vec3::Zero(), stretched_boxes(template_, turned), {}));
@@ -258,24 +259,28 @@ std::optional<ShapeFit> fit_template(const PartTemplate& part_template, const Sh
     for (int i = 0; i < first_alternations && !run.ended && !control.cancelled(); ++i) advance(run);
   }
   const auto energy = [](const Alternation& run) { return run.fit.energy.total(); };
-  std::ranges::stable_sort(runs, {}, energy);
+  const auto yaw_of = [](const Alternation& run) { return static_cast<std::size_t>(run.fit.yaw_quarters); };
+  const auto cost = [&](const Alternation& run) { return energy(run) + options.yaw_costs[yaw_of(run)]; };
+  std::ranges::stable_sort(runs, {}, cost);
   std::array<double, 4> energies;
   energies.fill(std::numeric_limits<double>::infinity());
   double least = std::numeric_limits<double>::infinity();
   for (Alternation& run : runs) {
-    while (!run.ended && energy(run) * (1 - more_gains * run.gain) < least) {
+    while (!run.ended && cost(run) - energy(run) * more_gains * run.gain < least) {
       if (control.cancelled()) return std::nullopt;
       advance(run);
     }
-    double& of_yaw = energies[static_cast<std::size_t>(run.fit.yaw_quarters)];
-    of_yaw = std::min(of_yaw, energy(run));
-    least = std::min(least, energy(run));
+    energies[yaw_of(run)] = std::min(energies[yaw_of(run)], energy(run));
+    least = std::min(least, cost(run));
   }
-  // The yaw with the least energy; of its two starts, the stretched one only if it is clearly better.
-  const auto yaw = std::ranges::min_element(energies) - energies.begin();
+  // The yaw with the least cost; of its two starts, the stretched one only if it is clearly better.
+  std::size_t yaw = 0;
+  for (std::size_t other = 1; other < energies.size(); ++other) {
+    if (energies[other] + options.yaw_costs[other] < energies[yaw] + options.yaw_costs[yaw]) yaw = other;
+  }
   Alternation* best = nullptr;
   for (Alternation& run : runs) {
-    if (run.fit.yaw_quarters != yaw) continue;
+    if (yaw_of(run) != yaw) continue;
     while (!run.ended && !control.cancelled()) advance(run);
     if (!best || run.comparable_energy() < best->comparable_energy()) best = &run;
   }

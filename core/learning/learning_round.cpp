@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/parallel.h"
+#include "core/fitting/agreed_yaws.h"
 #include "core/fitting/fit_template.h"
 #include "core/fitting/template_choice.h"
 #include "core/learning/arrangement_clusters.h"
@@ -24,6 +25,7 @@ struct Sighting {
   std::size_t part_template = 0;
   double choice = std::numeric_limits<double>::infinity();
   double energy = 0;
+  std::array<double, 4> yaw_energies{};
   std::vector<PartObservation> parts;
 };
 
@@ -73,20 +75,35 @@ class Round {
     return parallel_for(
                count, threads_, stop_only, "learning",
                [&](std::size_t i) {
-                 const auto found = fit_template(part_template, shape(i), fit_options_, {control_.stop, {}});
+                 FitOptions options = fit_options_;
+                 if (!yaw_costs_.empty()) options.yaw_costs = yaw_costs_[i];
+                 const auto found = fit_template(part_template, shape(i), options, {control_.stop, {}});
                  if (!found) return;
-                 sightings[i] = {t, choice_energy(*found, part_template, fit_options_), found->energy.total(),
-                                 observe_parts(*found, shape(i))};
+                 const double yaw_cost = options.yaw_costs[static_cast<std::size_t>(found->yaw_quarters)];
+                 sightings[i] = {t, choice_energy(*found, part_template, options) + yaw_cost,
+                                 found->energy.total(), found->yaw_energies, observe_parts(*found, shape(i))};
                }) &&
            !control_.cancelled();
   }
 
   bool fit_all() {
-    taken_.assign(shape_count(), {});
+    if (!take_best(judging_.size())) return false;
+    std::vector<std::array<double, 4>> energies;
+    for (const Sighting& each : taken_) energies.push_back(each.yaw_energies);
+    const AgreedYaws agreed(judging_, energies);
+    yaw_costs_.resize(shape_count());
+    return parallel_for(shape_count(), threads_, {control_.stop, {}}, "",
+                        [&](std::size_t i) { yaw_costs_[i] = agreed.costs(shape(i)); }) &&
+           take_best(shape_count());
+  }
+
+  // The best of all templates for each of the first `count` shapes. False if cancelled.
+  bool take_best(std::size_t count) {
+    taken_.assign(count, {});
     for (std::size_t t = 0; t < result_.templates.size(); ++t) {
       std::vector<Sighting> sightings;
-      if (!fit(result_.templates[t].part_template, t, shape_count(), sightings)) return false;
-      for (std::size_t i = 0; i < shape_count(); ++i) {
+      if (!fit(result_.templates[t].part_template, t, count, sightings)) return false;
+      for (std::size_t i = 0; i < count; ++i) {
         if (sightings[i].choice < taken_[i].choice) taken_[i] = std::move(sightings[i]);
       }
     }
@@ -260,7 +277,8 @@ class Round {
   const LearnOptions& options_;
   unsigned threads_;
   const JobControl& control_;
-  std::vector<Sighting> taken_;  // by shape: the best so far
+  std::vector<std::array<double, 4>> yaw_costs_;  // by shape, once the judging ones agree
+  std::vector<Sighting> taken_;                   // by shape: the best so far
   LearningRound result_;
 };
 

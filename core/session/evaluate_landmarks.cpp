@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/evaluation/alike_turns.h"
 #include "core/evaluation/surface_map.h"
 #include "core/io/file.h"
 #include "core/io/labels.h"
@@ -24,14 +25,21 @@ struct Marked {
   std::string name;
   TemplateId part_template = 0;
   std::vector<Landmark> landmarks;
-  std::vector<std::optional<PartPoint>> places;  // by landmark
+  std::vector<int> turns;                                     // by which it looks the same
+  std::vector<std::vector<std::optional<PartPoint>>> places;  // by turn and landmark
 };
+
+using Errors = std::vector<std::pair<std::size_t, double>>;  // by landmark, file units
+
+// Share of the diameter from which on errors are equally bad.
+constexpr double farthest = ErrorCurve::steps * ErrorCurve::step;
 
 enum class Outcome { located, without_landmarks, without_labels, refused };
 
 // One shape on its way through.
 struct Work {
   ShapeRecord shape;
+  ShapeSamples samples;
   ShapeFit fit;
   std::vector<std::int16_t> labels;
   Marked marked;
@@ -39,6 +47,7 @@ struct Work {
   std::string reason;  // of a refusal
   // Of the second pass:
   std::vector<CorrespondenceCurves> from;  // by source
+  std::vector<CorrespondenceCurves> as_marked;
   std::vector<CorrespondenceCurves> landmarks;
   std::uint64_t unmapped = 0;
 };
@@ -110,6 +119,7 @@ class Evaluation {
     work.marked.part_template = fit->part_template;
     work.fit = std::move(fit->fit);
     work.labels = std::move(*labels);
+    work.samples = project_.samples(id);
   }
 
   void guarded(Work& work, void (Evaluation::*step)(Work&) const) const {
@@ -131,15 +141,22 @@ class Evaluation {
     work.marked.landmarks = read_landmarks(*file);
     const PolygonMesh mesh = read_imported(work.shape);
     if (control_.cancelled()) return;
-    const SurfaceToTemplate to_template({mesh, work.shape.frame, work.fit, work.labels});
-    for (const Landmark& landmark : work.marked.landmarks) {
-      work.marked.places.push_back(landmark.present ? to_template.locate(position(landmark)) : std::nullopt);
+    const SurfaceToTemplate to_template({mesh, work.shape.frame, work.fit, work.labels},
+                                        templates_.at(work.marked.part_template));
+    work.marked.turns = alike_turns(work.samples, to_template.search());
+    for (const int turn : work.marked.turns) {
+      auto& places = work.marked.places.emplace_back();
+      for (const Landmark& landmark : work.marked.landmarks) {
+        const Vec3 turned = turn_about_up(work.shape.frame, position(landmark), turn);
+        places.push_back(landmark.present ? to_template.locate(turned) : std::nullopt);
+      }
     }
   }
 
   void take_located(Work& work) {
     switch (work.outcome) {
       case Outcome::located:
+        if (work.marked.turns.size() > 1) ++result_.turnable;
         marked_.push_back(std::move(work.marked));
         break;
       case Outcome::without_landmarks:
@@ -162,29 +179,58 @@ class Evaluation {
     const double diameter = work.shape.radius / work.shape.frame.scale;
     const double diagonal = 2 * bounds(mesh).half_extent().norm();
     work.from.resize(marked_.size());
+    work.as_marked.resize(marked_.size());
     work.landmarks.resize(result_.landmarks.size());
-    const auto self = std::ranges::find(marked_, work.marked.id, &Marked::id);
+    const Marked& self = *std::ranges::find(marked_, work.marked.id, &Marked::id);
     for (std::size_t s = 0; s < marked_.size(); ++s) {
-      const Marked& source = marked_[s];
-      if (source.id == self->id) continue;
+      if (marked_[s].id == self.id) continue;
       if (control_.cancelled()) return;
-      const PartTemplate& their_template = templates_.at(source.part_template);
-      const std::size_t count = std::min(source.landmarks.size(), self->landmarks.size());
-      for (std::size_t i = 0; i < count; ++i) {
-        if (!source.landmarks[i].present || !self->landmarks[i].present) continue;
-        double error = std::numeric_limits<double>::infinity();
-        if (std::optional<PartPoint> place = source.places[i]) {
-          place->part = counterpart(their_template, place->part, own_template);
-          const auto found = place->part < 0 ? std::nullopt : to_surface.find(*place);
-          if (found) error = (*found - position(self->landmarks[i])).norm();
-        }
+      const std::vector<Errors> errors = pair_errors(marked_[s], self, work.shape.frame, to_surface);
+      const auto sum = [&](const Errors& each) {
+        double result = 0;
+        for (const auto& [landmark, error] : each) result += std::min(error, farthest * diameter);
+        return result;
+      };
+      for (const auto& [landmark, error] : errors.front()) {
+        work.as_marked[s].by_diameter.add(error / diameter);
+        work.as_marked[s].by_diagonal.add(error / diagonal);
+      }
+      for (const auto& [landmark, error] : *std::ranges::min_element(errors, {}, sum)) {
         if (std::isinf(error)) ++work.unmapped;
-        work.from[s].by_diameter.add(error / diameter);
-        work.from[s].by_diagonal.add(error / diagonal);
-        work.landmarks[i].by_diameter.add(error / diameter);
-        work.landmarks[i].by_diagonal.add(error / diagonal);
+        for (CorrespondenceCurves* curves : {&work.from[s], &work.landmarks[landmark]}) {
+          curves->by_diameter.add(error / diameter);
+          curves->by_diagonal.add(error / diagonal);
+        }
       }
     }
+  }
+
+  // The errors of all landmarks that two shapes have in common, for each turn by which the target looks the
+  // same, or, if there is none, by which the source does; that of 0 first.
+  std::vector<Errors> pair_errors(const Marked& source, const Marked& target, const ShapeFrame& target_frame,
+                                  const TemplateToSurface& to_surface) const {
+    const PartTemplate& from = templates_.at(source.part_template);
+    const PartTemplate& to = templates_.at(target.part_template);
+    const std::size_t count = std::min(source.landmarks.size(), target.landmarks.size());
+    const bool target_turns = target.turns.size() > 1;
+    std::vector<Errors> result(target_turns ? target.turns.size() : source.turns.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!source.landmarks[i].present || !target.landmarks[i].present) continue;
+      std::optional<TemplateToSurface::Found> found;
+      for (std::size_t turn = 0; turn < result.size(); ++turn) {
+        if (turn == 0 || !target_turns) {
+          std::optional<PartPoint> place = source.places[turn][i];
+          if (place) place->part = counterpart(from, place->part, to);
+          found = place ? to_surface.find(*place) : std::nullopt;
+        }
+        Vec3 truth = position(target.landmarks[i]);
+        if (target_turns) truth = turn_about_up(target_frame, truth, target.turns[turn]);
+        const double error =
+            found ? (found->position - truth).norm() : std::numeric_limits<double>::infinity();
+        result[turn].emplace_back(i, error);
+      }
+    }
+    return result;
   }
 
   void take_compared(Work& work, std::size_t target) {
@@ -195,6 +241,7 @@ class Evaluation {
     result_.unmapped += work.unmapped;
     for (std::size_t s = 0; s < work.from.size(); ++s) {
       result_.all += work.from[s];
+      result_.as_marked += work.as_marked[s];
       result_.shapes[s].from += work.from[s];
       result_.shapes[target].to += work.from[s];
       if (marked_[s].part_template == marked_[target].part_template) result_.same_template += work.from[s];

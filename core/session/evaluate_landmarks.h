@@ -15,10 +15,15 @@ struct ShapeCorrespondences {
   CorrespondenceCurves to;    // of all others' landmarks on it
 };
 
+// A shape that looks the same turned about up (see alike_turns()) has no front that could be found: a pair
+// with one counts as well as it does with the one of these turns that brings all landmarks together nearest
+// to where they should be. Everything but `as_marked` is counted so.
 struct LandmarkEvaluation {
   CorrespondenceCurves all;                     // every ordered pair of shapes, every landmark that both have
+  CorrespondenceCurves as_marked;               // the same without any such turn
   CorrespondenceCurves same_template;           // pairs that are fitted by one template
   std::uint64_t unmapped = 0;                   // of `all`: points for which no counterpart was found
+  std::size_t turnable = 0;                     // shapes that look the same turned
   std::vector<CorrespondenceCurves> landmarks;  // by their place in the files
   std::vector<std::string> landmark_names;      // of names.txt in the folder, if it is there; else empty
   std::vector<ShapeCorrespondences> shapes;     // that took part, by name

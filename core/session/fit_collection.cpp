@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/evaluation/label_elements.h"
+#include "core/fitting/agreed_yaws.h"
 #include "core/fitting/fit_template.h"
 #include "core/fitting/template_choice.h"
 #include "core/session/commit_pace.h"
@@ -68,6 +70,10 @@ class FitRun {
     state_ = fit_state(templates_, options_);
     template_ids_ = store_request(project_, templates_, options_);
     find_work();
+    if (!agree_on_yaws(threads)) {
+      report_.cancelled = true;
+      return std::move(report_);
+    }
     ring_.resize(pipeline_window(threads));
     const bool all = ordered_pipeline(todo_.size(), threads, control_, "fitting",
                                       {.prepare = [this](std::size_t i) { load(i); },
@@ -94,12 +100,42 @@ class FitRun {
     }
   }
 
+  // A fit of this run's templates and options.
+  std::optional<FitRecord> stored_fit(ShapeId id) const {
+    std::optional<FitRecord> stored = project_.fit(id);
+    if (stored && stored->state != state_) stored.reset();
+    return stored;
+  }
+
+  // From shapes spread over the whole collection, whatever is done already: a run that was stopped goes on
+  // with the same. False if cancelled.
+  bool agree_on_yaws(unsigned threads) {
+    if (std::ranges::all_of(todo_, [this](ShapeId id) { return stored_fit(id).has_value(); })) return true;
+    const std::vector<ShapeId> ids = project_.shape_ids();
+    const std::size_t count = std::min(ids.size(), AgreedYaws::most_references);
+    std::vector<ShapeSamples> references;
+    for (std::size_t i = 0; i < count && !control_.cancelled(); ++i)
+      references.push_back(project_.samples(ids[i * ids.size() / count]));
+    std::vector<std::array<double, 4>> energies(references.size());
+    const bool all = parallel_for(references.size(), threads, control_, "finding which way shapes face",
+                                  [&](std::size_t i) {
+                                    try {
+                                      if (const auto best = best_fit(references[i], options_))
+                                        energies[i] = best->fit.yaw_energies;
+                                    } catch (const NumericError&) {  // to be refused when its turn comes
+                                    }
+                                  });
+    if (!all || control_.cancelled()) return false;
+    agreed_.emplace(references, energies);
+    return true;
+  }
+
   void load(std::size_t i) {
     Work& work = slot(i) = {};
     work.shape = project_.find_shape(todo_[i]).value();
     work.samples = project_.samples(todo_[i]);
-    std::optional<FitRecord> stored = project_.fit(todo_[i]);
-    if (!stored || stored->state != state_) return;
+    std::optional<FitRecord> stored = stored_fit(todo_[i]);
+    if (!stored) return;
     const auto id = std::ranges::find(template_ids_, stored->part_template);
     if (id == template_ids_.end()) return;
     work.fit = std::move(stored->fit);
@@ -117,20 +153,34 @@ class FitRun {
     }
   }
 
-  void find_best_fit(Work& work) const {
-    std::optional<ShapeFit> best;
+  struct BestFit {
+    ShapeFit fit;
+    std::size_t part_template = 0;
+  };
+  // Nothing if cancelled.
+  std::optional<BestFit> best_fit(const ShapeSamples& samples, const FitOptions& options) const {
+    std::optional<BestFit> best;
     double least = 0;
     for (std::size_t t = 0; t < templates_.size(); ++t) {
-      std::optional<ShapeFit> fit = fit_template(templates_[t], work.samples, options_, stop_only_);
-      if (!fit) return;
+      std::optional<ShapeFit> fit = fit_template(templates_[t], samples, options, stop_only_);
+      if (!fit) return {};
       if (!std::isfinite(fit->energy.total())) throw NumericError("the fit has no finite energy");
-      const double energy = choice_energy(*fit, templates_[t], options_);
+      const double energy = choice_energy(*fit, templates_[t], options) +
+                            options.yaw_costs[static_cast<std::size_t>(fit->yaw_quarters)];
       if (best && energy >= least) continue;
       least = energy;
-      best = std::move(fit);
-      work.part_template = t;
+      best = {std::move(*fit), t};
     }
-    work.fit = std::move(best);
+    return best;
+  }
+
+  void find_best_fit(Work& work) const {
+    FitOptions options = options_;
+    options.yaw_costs = agreed_->costs(work.samples);
+    std::optional<BestFit> best = best_fit(work.samples, options);
+    if (!best) return;
+    work.fit = std::move(best->fit);
+    work.part_template = best->part_template;
   }
 
   // Throws an Error that says why the elements cannot be labelled.
@@ -176,6 +226,7 @@ class FitRun {
   const JobControl& control_;
   JobControl stop_only_;  // single fits do not report
   ContentHash state_;
+  std::optional<AgreedYaws> agreed_;  // unless every shape has a fit
   std::vector<TemplateId> template_ids_;
   std::vector<ShapeId> todo_;
   std::vector<Work> ring_;

@@ -10,7 +10,7 @@ std::vector<std::pair<std::string, double>> named_options(const FitOptions& opti
   // Taken apart by position, so that an option which is added there and forgotten here does not compile.
   const auto& [distance_unit, alpha, deformation_tail, turn_stddev, beta, gamma, null_cost, feature_clip,
                existence_weight, graph_neighbours, face_smoothness, crease_reach, face_core, face_neighbours,
-               template_points, yaws, max_alternations, drop_parts, odds_weight, expansion] = options;
+               template_points, yaw_costs, max_alternations, drop_parts, odds_weight, expansion] = options;
   const auto& [prune] = expansion;
   return {{"distance_unit", distance_unit},
           {"alpha", alpha},
@@ -27,10 +27,10 @@ std::vector<std::pair<std::string, double>> named_options(const FitOptions& opti
           {"face_core", face_core},
           {"face_neighbours", face_neighbours},
           {"template_points", template_points},
-          {"yaw_0", yaws[0]},
-          {"yaw_90", yaws[1]},
-          {"yaw_180", yaws[2]},
-          {"yaw_270", yaws[3]},
+          {"yaw_cost_0", yaw_costs[0]},
+          {"yaw_cost_90", yaw_costs[1]},
+          {"yaw_cost_180", yaw_costs[2]},
+          {"yaw_cost_270", yaw_costs[3]},
           {"max_alternations", max_alternations},
           {"drop_parts", drop_parts},
           {"odds_weight", odds_weight},

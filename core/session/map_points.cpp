@@ -41,15 +41,14 @@ std::vector<std::optional<MappedPoint>> map_points(const Project& project, const
                                                    const std::string& to, std::span<const Vec3> points) {
   const Side source = load(project, from);
   const Side target = load(project, to);
-  const SurfaceToTemplate to_template(source.surface());
+  const SurfaceToTemplate to_template(source.surface(), source.part_template);
   const TemplateToSurface to_surface(target.surface(), target.part_template);
   std::vector<std::optional<MappedPoint>> mapped(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     std::optional<PartPoint> place = to_template.locate(points[i]);
     if (!place) continue;
     place->part = counterpart(source.part_template, place->part, target.part_template);
-    if (place->part < 0) continue;
-    if (const auto position = to_surface.find(*place)) mapped[i] = MappedPoint{*position, place->part};
+    if (const auto found = to_surface.find(*place)) mapped[i] = MappedPoint{found->position, found->part};
   }
   return mapped;
 }

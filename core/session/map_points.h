@@ -16,7 +16,8 @@ struct MappedPoint {
 };
 
 // points: file coordinates of the first shape; each counts as the nearest point of its surface. One entry
-// per point, empty where that belongs to no part, or to one that the second shape lacks. Throws FileError if
+// per point, empty where that belongs to no part, or to one that the second shape lacks and that has no
+// neighbour close by (see TemplateToSurface::find()). Throws FileError if
 // a shape is not in the project or not labelled by a fit, InputError if its file is gone or changed.
 std::vector<std::optional<MappedPoint>> map_points(const Project& project, const std::string& from,
                                                    const std::string& to, std::span<const Vec3> points);

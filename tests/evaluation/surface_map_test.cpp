@@ -69,31 +69,61 @@ void check_near(const Vec3& a, const Vec3& b) {
 TEST_CASE("points of a bench come to the same places of a chair, whatever their poses") {
   const Chair bench(1.5, 0.2, 1);
   const Chair chair(0.4, 0.6, 3);
-  const SurfaceToTemplate to_template(bench.surface());
+  const SurfaceToTemplate to_template(bench.surface(), chair_template());
   const TemplateToSurface to_surface(chair.surface(), chair_template());
   // The right front corner of the seat's top, and three quarters up the middle of the back's front.
   const auto corner = to_template.locate(bench.to_file({1.5, 0.1, 0.5}));
   REQUIRE(corner);
   CHECK(corner->part == 0);
   check_near(corner->local, {1, 1, 1});
-  check_near(to_surface.find(*corner).value(), chair.to_file({0.4, 0.1, 0.5}));
+  check_near(to_surface.find(*corner).value().position, chair.to_file({0.4, 0.1, 0.5}));
   const auto middle = to_template.locate(bench.to_file({0, 0.4, -0.3}));
   REQUIRE(middle);
   CHECK(middle->part == 1);
-  check_near(to_surface.find(*middle).value(), chair.to_file({0, 1.0, -0.3}));
+  check_near(to_surface.find(*middle).value().position, chair.to_file({0, 1.0, -0.3}));
   // A point beside the surface counts as the nearest one on it.
   check_near(to_template.locate(bench.to_file({1.7, 0, 0.2}))->local, {1, 0, 0.4});
 }
 
-TEST_CASE("what belongs to no part, or to one that is not there, has no counterpart") {
+TEST_CASE("what belongs to no part has no counterpart, a missing part only where a neighbour is close") {
   Chair bench(1.5, 0.2, 0);
   Chair stool(0.4, 0.6, 0);
-  stool.labels.assign(12, 0);
+  // The file of a shape without a back.
+  PolygonMesh seat;
+  add_cuboid(seat, {-0.4, -0.1, -0.5}, {0.4, 0.1, 0.5});
+  stool.mesh = seat;
+  for (Vec3& p : stool.mesh.vertices) p = stool.to_file(p);
+  stool.labels.assign(6, 0);
+  const TemplateToSurface to_stool(stool.surface(), chair_template());
+  const SurfaceToTemplate to_template(bench.surface(), chair_template());
+  // The top of the back is far from any seat; its foot stands on one.
+  CHECK_FALSE(to_stool.find(to_template.locate(bench.to_file({0, 0.5, -0.4})).value()));
+  const auto foot = to_stool.find(to_template.locate(bench.to_file({0, 0.11, -0.3})).value());
+  REQUIRE(foot);
+  CHECK(foot->part == 0);
+  check_near(foot->position, stool.to_file({0, 0.1, -0.3}));
+  // Where the other template has no such part at all, too.
+  PartPoint unnamed = to_template.locate(bench.to_file({0, 0.11, -0.3})).value();
+  unnamed.part = -1;
+  check_near(to_stool.find(unnamed).value().position, stool.to_file({0, 0.1, -0.3}));
+
   std::fill_n(bench.labels.begin(), 6, null_label);
-  const SurfaceToTemplate to_template(bench.surface());
-  CHECK_FALSE(to_template.locate(bench.to_file({1.5, 0, 0})));
-  const TemplateToSurface to_surface(stool.surface(), chair_template());
-  CHECK_FALSE(to_surface.find(to_template.locate(bench.to_file({0, 0.4, -0.3})).value()));
+  CHECK_FALSE(SurfaceToTemplate(bench.surface(), chair_template()).locate(bench.to_file({1.5, 0, 0})));
+}
+
+TEST_CASE("the ends of a part come to its ends, though its box ends elsewhere") {
+  Chair bench(1.5, 0.4, 1);
+  Chair chair(0.4, 0.6, 3);
+  // The boxes lie within, as those of parts that taper do.
+  bench.fit.parts[1].box.half_extent.y() = 0.3;
+  chair.fit.parts[1].box.half_extent.y() = 0.55;
+  const std::vector<Box> boxes = carrying_boxes(bench.surface());
+  check_near(boxes[0].half_extent, {1.5, 0.1, 0.5});
+  CHECK(boxes[1].half_extent.y() == doctest::Approx(0.35));
+  const SurfaceToTemplate to_template(bench.surface(), chair_template());
+  const TemplateToSurface to_chair(chair.surface(), chair_template());
+  const auto top = to_chair.find(to_template.locate(bench.to_file({0.75, 0.9, -0.5})).value());
+  check_near(top.value().position, chair.to_file({0.2, 1.3, -0.5}));
 }
 
 TEST_CASE("point sets are mapped point by point") {
@@ -105,18 +135,21 @@ TEST_CASE("point sets are mapped point by point") {
   cloud.labels.assign(8, 0);
   cloud.labels.resize(16, 1);
   const TemplateToSurface to_surface(cloud.surface(), chair_template());
-  const auto place = SurfaceToTemplate(bench.surface()).locate(bench.to_file({1.4, 0.09, 0.5}));
-  check_near(to_surface.find(place.value()).value(), cloud.to_file({0.4, 0.1, 0.5}));
-  CHECK(SurfaceToTemplate(cloud.surface()).locate(cloud.to_file({0.4, 1.3, -0.5}))->part == 1);
+  const auto place =
+      SurfaceToTemplate(bench.surface(), chair_template()).locate(bench.to_file({1.4, 0.09, 0.5}));
+  check_near(to_surface.find(place.value()).value().position, cloud.to_file({0.4, 0.1, 0.5}));
+  CHECK(SurfaceToTemplate(cloud.surface(), chair_template()).locate(cloud.to_file({0.4, 1.3, -0.5}))->part ==
+        1);
 }
 
 TEST_CASE("labels and fits of another shape are a mistake of the caller") {
   Chair chair(1, 1, 0);
   CHECK_THROWS_AS(TemplateToSurface(chair.surface(), PartTemplate{}), PreconditionError);
+  CHECK_THROWS_AS(SurfaceToTemplate(chair.surface(), PartTemplate{}), PreconditionError);
   chair.labels[3] = 2;
-  CHECK_THROWS_AS(SurfaceToTemplate(chair.surface()), PreconditionError);
+  CHECK_THROWS_AS(SurfaceToTemplate(chair.surface(), chair_template()), PreconditionError);
   chair.labels.pop_back();
-  CHECK_THROWS_AS(SurfaceToTemplate(chair.surface()), PreconditionError);
+  CHECK_THROWS_AS(SurfaceToTemplate(chair.surface(), chair_template()), PreconditionError);
 }
 
 TEST_CASE("parts of different templates correspond by name") {

@@ -107,8 +107,8 @@ TEST_CASE("a cancelled fit keeps what is done and goes on from there") {
   std::stop_source source;
   JobControl control;
   control.stop = source.get_token();
-  control.report = [&](std::size_t done, std::size_t, std::string_view) {
-    if (done == 5) source.request_stop();
+  control.report = [&](std::size_t done, std::size_t, std::string_view what) {
+    if (done == 5 && what == "fitting") source.request_stop();
   };
   const FitCollectionReport first = chairs.fit({chair_template()}, control);
   CHECK(first.cancelled);

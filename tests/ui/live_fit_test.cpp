@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
+
 #include "core/evaluation/label_elements.h"
 #include "core/fitting/fit_template.h"
 #include "tests/support/made_shapes.h"
@@ -27,8 +29,8 @@ LiveFitRequest request_for(const Made& made, const PartTemplate& part_template) 
 // What the window shows, turned by `yaw`.
 std::shared_ptr<const ViewFit> shown_at(const LiveFitRequest& request, int yaw) {
   FitOptions options;
-  options.yaws.fill(false);
-  options.yaws[static_cast<std::size_t>(yaw)] = true;
+  options.yaw_costs.fill(std::numeric_limits<double>::infinity());
+  options.yaw_costs[static_cast<std::size_t>(yaw)] = 0;
   return std::make_shared<const ViewFit>(
       ViewFit{request.part_template, *fit_template(*request.part_template, *request.samples, options), {}});
 }
