@@ -34,19 +34,36 @@ struct Chart {
   float left(std::size_t column) const { return low.x + pitch * static_cast<float>(column); }
 };
 
-// As high as it has members, but never too low to be seen and clicked.
+// As high as it has members, but never too low to be seen and clicked: what that takes comes from the others.
 std::vector<Span> spans_of(const FlowColumn& column, float top, float height, float gap, float least) {
   const auto count = static_cast<float>(column.nodes.size());
   gap = std::min(gap, height * 0.3f / count);
   const float space = height - gap * (count - 1);
   least = std::min(least, space / count);
-  float members = 0;
-  for (const FlowNode& node : column.nodes) members += static_cast<float>(node.members.size());
-  const float shared = space - least * count;
+  std::vector<float> highs(column.nodes.size(), 0);
+  for (bool changed = true; changed;) {  // a node at a time becomes one of the lowest
+    changed = false;
+    float members = 0;
+    float left = space;
+    for (std::size_t n = 0; n < highs.size(); ++n) {
+      if (highs[n] > 0)
+        left -= least;
+      else
+        members += static_cast<float>(column.nodes[n].members.size());
+    }
+    const auto wanted = [&](std::size_t n) {
+      return members > 0 ? left * static_cast<float>(column.nodes[n].members.size()) / members : 0;
+    };
+    for (std::size_t n = 0; n < highs.size() && !changed; ++n) {
+      changed = highs[n] == 0 && wanted(n) < least;
+      if (changed) highs[n] = least;
+    }
+    if (changed) continue;
+    for (std::size_t n = 0; n < highs.size(); ++n)
+      if (highs[n] == 0) highs[n] = wanted(n);
+  }
   std::vector<Span> spans;
-  for (const FlowNode& node : column.nodes) {
-    const float share = members > 0 ? static_cast<float>(node.members.size()) / members : 1 / count;
-    const float high = least + shared * share;
+  for (const float high : highs) {
     spans.push_back({top, top + high});
     top += high + gap;
   }
@@ -172,21 +189,19 @@ bool draw_node(Studio& studio, const Chart& chart, const std::vector<FlowColumn>
   const float room = high.x - low.x - chart.bar - 4 * scale;
   const std::string count = std::to_string(node.members.size());
   const float tall = span.bottom - span.top;
-  const bool number_below = tall > line + 22 * scale;
-  const float side = std::min(room, tall - (number_below ? line : 0.0f) - 4 * scale);
   const ImU32 text = ImGui::GetColorU32(p.text);
   const ImVec2 text_size = ImGui::CalcTextSize(count.c_str());
-  if (number_below) {
-    const float top = low.y + (tall - side - line) / 2;
-    draw_template_picture(draw, *node.part_template, {low.x + chart.bar + 2 * scale + (room - side) / 2, top},
-                          side);
-    draw.AddText({low.x + chart.bar + (high.x - low.x - chart.bar - text_size.x) / 2, top + side}, text,
-                 count.c_str());
+  // The number below the picture or beside it, where it leaves more room for it.
+  const float above = std::min(room, tall - line - 4 * scale);
+  const float beside = std::min(room - text_size.x - 6 * scale, tall - 2 * scale);
+  const float left = low.x + chart.bar + 2 * scale;
+  if (above > beside) {
+    const float top = low.y + (tall - above - line) / 2;
+    draw_template_picture(draw, *node.part_template, {left + (room - above) / 2, top}, above);
+    draw.AddText({left + (room - text_size.x) / 2, top + above}, text, count.c_str());
   } else {
-    const float shown = std::min(side, room - text_size.x - 4 * scale);
-    if (shown > 9 * scale)
-      draw_template_picture(draw, *node.part_template,
-                            {low.x + chart.bar + 2 * scale, low.y + (tall - shown) / 2}, shown);
+    if (beside > 9 * scale)
+      draw_template_picture(draw, *node.part_template, {left, low.y + (tall - beside) / 2}, beside);
     draw.AddText({high.x - text_size.x - 4 * scale, low.y + (tall - line) / 2}, text, count.c_str());
   }
   if (node.spawned || node.changed) {
@@ -256,8 +271,8 @@ std::optional<LearningChoice> draw_flow_chart(Studio& studio, const std::vector<
   Chart chart;
   const float least_pitch = 84 * scale;
   const float wanted = (size.x - 4 * scale) / static_cast<float>(std::max<std::size_t>(count, 3));
-  chart.pitch = std::clamp(wanted, least_pitch, 150 * scale);
-  chart.node_width = chart.pitch * 0.6f;
+  chart.pitch = std::clamp(wanted, least_pitch, 190 * scale);
+  chart.node_width = std::min(chart.pitch * 0.6f, 96 * scale);
   chart.bar = 6 * scale;
   const float whole = chart.pitch * static_cast<float>(count);
   const float bar_below = whole > size.x ? ImGui::GetStyle().ScrollbarSize : 0;

@@ -16,7 +16,7 @@ std::string progress_text(const JobView& job) {
   if (job.state == JobState::stopping) return "stopping…";
   std::string text = job.doing;
   if (job.total > 0)
-    text += (text.empty() ? "" : "  ") + count_text(job.done) + " of " + count_text(job.total);
+    text += (text.empty() ? "" : "  ·  ") + count_text(job.done) + " of " + count_text(job.total);
   if (job.state == JobState::paused) return text + (text.empty() ? "paused" : "  ·  paused");
   if (job.seconds_left) text += "  ·  " + duration_text(*job.seconds_left) + " left of this step";
   return text + "  ·  " + duration_text(job.seconds) + " so far";
@@ -24,12 +24,12 @@ std::string progress_text(const JobView& job) {
 
 }  // namespace
 
-void draw_active_job(Studio& studio, const JobView& job) {
+void draw_active_job(Studio& studio, const JobView& job, const std::string& note) {
   const bool paused = job.state == JobState::paused;
   ImGui::PushID(static_cast<int>(job.id));
   ImGui::TextUnformatted(job.title.c_str());
   ImGui::SameLine();
-  muted_text(studio, fitted(progress_text(job), ImGui::GetContentRegionAvail().x));
+  muted_text(studio, fitted(progress_text(job) + note, ImGui::GetContentRegionAvail().x));
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float pause = ImGui::GetFrameHeight() * 3.4f;
   const float stop = ImGui::GetFrameHeight() * 2.6f;

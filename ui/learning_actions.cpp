@@ -42,6 +42,13 @@ std::shared_ptr<const SuggestionSource> source_of(const Project& project, const 
   return std::make_shared<const SuggestionSource>(SuggestionSource{std::move(samples), std::move(*fit)});
 }
 
+// The job that learns from the collection in view; null if none does.
+const ProjectWriter* learner_of(const Studio& studio) {
+  for (const ProjectWriter& writer : studio.writers)
+    if (writer.learns && writer.project == studio.collection.path) return &writer;
+  return nullptr;
+}
+
 std::string summary(const LearnReport& report, std::size_t templates) {
   std::string text = "Learned " + plural(templates, "template") + " in " +
                      plural(report.steps.size(), "round") + "; " + plural(report.learned, "shape") +
@@ -82,12 +89,27 @@ void take_suggestion(Studio& studio, std::size_t rank) {
 }
 
 std::optional<JobView> learning_job(const Studio& studio) {
-  for (const ProjectWriter& writer : studio.writers) {
-    if (!writer.learns || writer.project != studio.collection.path) continue;
-    for (const JobView& job : studio.jobs.view())
-      if (job.id == writer.job) return job;
-  }
+  const ProjectWriter* writer = learner_of(studio);
+  if (!writer) return std::nullopt;
+  for (const JobView& job : studio.jobs.view())
+    if (job.id == writer->job) return job;
   return std::nullopt;
+}
+
+std::size_t rounds_learned(const Studio& studio) {
+  const std::shared_ptr<const LearningRecord> record = studio.collection.content.learning;
+  return record ? record->steps.size() : 0;
+}
+
+std::optional<double> most_seconds_of_rounds(const Studio& studio) {
+  const std::optional<JobView> job = learning_job(studio);
+  const std::shared_ptr<const LearningRecord> record = studio.collection.content.learning;
+  if (!job || !record || record->settled) return std::nullopt;
+  const std::size_t rounds = rounds_learned(studio);
+  const std::size_t before = learner_of(studio)->rounds_before;
+  const auto most = static_cast<std::size_t>(LearnOptions{}.iterations);
+  if (rounds <= before || most < rounds) return std::nullopt;
+  return estimate_seconds_left(job->seconds, rounds - before, most - before);
 }
 
 void look_into_round(Studio& studio, std::size_t round, std::size_t part_template) {
@@ -135,7 +157,8 @@ void learn(Studio& studio) {
           say(studio, Severity::note, summary(report, learned.size()));
         };
       });
-  studio.writers.push_back({.job = job, .project = path, .fits = true, .learns = true});
+  studio.writers.push_back(
+      {.job = job, .project = path, .fits = true, .learns = true, .rounds_before = rounds_learned(studio)});
   studio.ui.learning = {};
   show_learning(studio);
 }

@@ -29,7 +29,7 @@ std::string summary(const LearningRecord& record, const Studio& studio) {
   std::string text = record.start.front().name + ": ";
   if (record.steps.empty()) return text + "no round is whole yet";
   text += plural(record.steps.size(), "round") + (record.settled ? ", settled" : ", not settled yet");
-  text += "  ·  energy " + number(record.steps.front().energy_before) + " → " +
+  text += "  ·  energy " + number(record.steps.front().energy_before) + " to " +
           number(record.steps.back().energy);
   text += "  ·  " + plural(record.steps.back().templates.size(), "template");
   return text + "  ·  judged by " + std::to_string(record.judging.size()) + " of " +
@@ -38,7 +38,8 @@ std::string summary(const LearningRecord& record, const Studio& studio) {
 
 void draw_head(Studio& studio, const std::optional<JobView>& job, const LearningRecord* record) {
   if (job) {
-    draw_active_job(studio, *job);
+    const std::optional<double> seconds = most_seconds_of_rounds(studio);
+    draw_active_job(studio, *job, seconds ? "  ·  rounds: at most " + duration_text(*seconds) + " more" : "");
     return;
   }
   const float button = 110 * studio.fonts.scale;
@@ -129,7 +130,7 @@ void draw_moved(Studio& studio, const LearningRecord& record, const std::vector<
     const FlowNode& to = column.nodes[band.to];
     for (const std::size_t shape : band.shapes)
       draw_shape_line(studio, record.judging[shape],
-                      from.part_template->name + " → " + to.part_template->name, line_colour(to.line));
+                      from.part_template->name + " to " + to.part_template->name, line_colour(to.line));
   }
 }
 
@@ -174,10 +175,12 @@ void draw_chosen(Studio& studio, const LearningRecord& record, const std::vector
   ImGui::EndGroup();
   ImGui::BeginChild("##members");
   for (const std::size_t shape : node.members) {
-    const bool moved = c > 0 && std::ranges::any_of(columns[c].bands, [&](const FlowBand& band) {
-                         return band.to == n && band.moved && std::ranges::binary_search(band.shapes, shape);
-                       });
-    draw_shape_line(studio, record.judging[shape], moved ? "moved here" : "", line_colour(node.line));
+    std::string note;
+    for (const FlowBand& band : columns[c].bands) {
+      if (band.moved && band.to == n && std::ranges::binary_search(band.shapes, shape))
+        note = "from " + columns[c - 1].nodes[band.from].part_template->name;
+    }
+    draw_shape_line(studio, record.judging[shape], note, line_colour(node.line));
   }
   ImGui::EndChild();
 }
@@ -222,7 +225,7 @@ void draw_learning_panel(Studio& studio) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float plot = std::clamp(room.x * 0.24f, 180 * studio.fonts.scale, 320 * studio.fonts.scale);
   const float details = std::clamp(room.x * 0.26f, 200 * studio.fonts.scale, 340 * studio.fonts.scale);
-  const float height = std::max(room.y, 150 * studio.fonts.scale);
+  const float height = std::max(room.y, 120 * studio.fonts.scale);
   ImGui::BeginChild("##rounds", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
   draw_plot(studio, *record, columns, {plot, height});
   ImGui::SameLine();

@@ -1,7 +1,10 @@
 // What goes on from frame to frame: results are taken over, new work is handed out.
 #include "ui/studio.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "ui/learning_actions.h"
 
 namespace archetype {
 namespace {
@@ -115,11 +118,20 @@ void tell_problems(Studio& studio) {
     if (!problem.empty()) say(studio, Severity::error, problem);
 }
 
+// A learning that starts over has no rounds before it, whatever the project told when it was asked for.
+void note_rounds(Studio& studio) {
+  const std::size_t rounds = rounds_learned(studio);
+  for (ProjectWriter& writer : studio.writers)
+    if (writer.project == studio.collection.path)
+      writer.rounds_before = std::min(writer.rounds_before, rounds);
+}
+
 // While something writes to the project, its rows are read anew twice a second.
 void follow_rows(Studio& studio) {
   if (std::optional<CollectionRows> rows = studio.rows_reader.poll()) {
     studio.collection.content = std::move(*rows);
     ++studio.collection.revision;
+    note_rounds(studio);
     if (!studio.ui.shape && !studio.collection.rows().empty())
       show_shape(studio, studio.collection.rows()[0].id);
     follow_changed_file(studio);

@@ -46,6 +46,7 @@ struct ProjectWriter {
   std::filesystem::path project;
   bool fits = false;
   bool learns = false;
+  std::size_t rounds_before = 0;  // that a learning goes on from
 };
 
 // Where something stands in the window that can be clicked; for tests and scripts.

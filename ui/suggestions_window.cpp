@@ -30,8 +30,10 @@ bool draw_suggestion(Studio& studio, std::size_t rank, float side) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   if (suggestion.source) {
     // The boxes small in a corner, so that both are seen.
-    draw_fit_picture(draw, suggestion.source->fit, suggestion.source->samples, at, side);
-    draw_template_picture(draw, part_template, {at.x + side * 0.66f, at.y + side * 0.02f}, side * 0.32f);
+    const float larger = side * 0.8f;
+    draw_fit_picture(draw, suggestion.source->fit, suggestion.source->samples,
+                     {at.x + side * 0.02f, at.y + side - larger}, larger);
+    draw_template_picture(draw, part_template, {at.x + side * 0.68f, at.y + side * 0.02f}, side * 0.3f);
   } else {
     draw_template_picture(draw, part_template, at, side);
   }

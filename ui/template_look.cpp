@@ -40,14 +40,16 @@ void draw_look_strip(Studio& studio) {
   const float height = ImGui::GetFrameHeight() + 8 * scale;
   ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + height},
                                             ImGui::GetColorU32({p.accent.x, p.accent.y, p.accent.z, 0.22f}));
-  const float take = 150 * scale;
-  const float back = 150 * scale;
+  const float take = 140 * scale;
+  const float back = 120 * scale;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   ImGui::SetCursorScreenPos({low.x + 10 * scale, low.y + 4 * scale});
   ImGui::AlignTextToFramePadding();
-  const std::string text = "Looking at " + studio.ui.look->part_template->name + " of " +
-                           studio.ui.look->origin + ". The document is as it was.";
-  ImGui::TextUnformatted(fitted(text, width - take - back - 2 * gap - 20 * scale).c_str());
+  const float room = width - take - back - 2 * gap - 20 * scale;
+  std::string text = "Looking at " + studio.ui.look->part_template->name + " of " + studio.ui.look->origin;
+  const std::string more = text + ". The document is as it was.";
+  if (ImGui::CalcTextSize(more.c_str()).x < room) text = more;
+  ImGui::TextUnformatted(fitted(text, room).c_str());
   ImGui::SetCursorScreenPos({low.x + width - take - back - gap - 8 * scale, low.y + 4 * scale});
   command_button(studio, "take-look", std::string(icon::check) + "  Take template", {take, 0});
   ImGui::SameLine();

@@ -23,8 +23,8 @@ struct Chairs {
   Project project = Project::in_memory();
 
   explicit Chairs(std::size_t count, bool on_disk = false) {
-    if (on_disk) project = Project::create(folder.path() / "chairs.archetype");
     write_chairs(folder.path(), count);
+    if (on_disk) project = Project::create(folder.path() / "chairs.archetype");
     ImportOptions options;
     options.points = 150;
     import_shapes(project, {folder.path() / "shapes"}, options, {});
