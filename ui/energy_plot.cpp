@@ -90,7 +90,8 @@ std::vector<double> axis_marks(double low, double high, std::size_t most) {
   for (int i = 0; count() > static_cast<double>(most); ++i) step *= i % 3 == 1 ? 2.5 : 2;  // 1, 2, 5, 10
   std::vector<double> marks;
   const double first = std::floor(low / step + 1e-9);
-  for (double i = 0; i < count(); ++i) marks.push_back((first + i) * step);
+  const auto marked = static_cast<int>(std::lround(count()));
+  for (int i = 0; i < marked; ++i) marks.push_back((first + i) * step);
   return marks;
 }
 
