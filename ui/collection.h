@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "core/io/project.h"
 #include "core/session/document.h"
 #include "core/session/latest_worker.h"
+#include "core/session/learn_templates.h"
 
 namespace archetype {
 
@@ -26,6 +28,7 @@ struct ShapeRow {
 struct CollectionRows {
   std::vector<ShapeRow> rows;  // ordered by name
   std::vector<RefusedInput> refused;
+  std::shared_ptr<const LearningRecord> learning;  // null: nothing was learned yet
 };
 
 struct Collection {

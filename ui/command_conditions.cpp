@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "ui/command_groups.h"
+#include "ui/project_actions.h"
 #include "ui/studio.h"
 
 namespace archetype {
@@ -32,6 +33,18 @@ std::string needs_fit(const Studio& studio) {
   const bool current = studio.shape.fit && studio.shape.samples &&
                        studio.shape.fit->part_template == document.templates[document.active];
   return current ? "" : "wait for the fit of the shape in view";
+}
+
+std::string needs_free_shapes(const Studio& studio) {
+  if (std::string reason = needs_collection(studio); !reason.empty()) return reason;
+  if (studio.collection.rows().empty()) return "the collection has no shapes yet";
+  return is_fitted(studio, studio.collection.path) ? "its shapes are being fitted; stop that job first" : "";
+}
+
+std::string needs_shapes_and_template(const Studio& studio) {
+  if (std::string reason = needs_free_shapes(studio); !reason.empty()) return reason;
+  const PartTemplate* active = studio.history.committed().active_template();
+  return active && !active->parts.empty() ? "" : "make or load a template with at least one part first";
 }
 
 double number_argument(Arguments arguments, std::size_t index, std::string_view what) {

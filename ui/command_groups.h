@@ -14,6 +14,7 @@ void add_template_commands(std::vector<Command>& commands);
 void add_part_commands(std::vector<Command>& commands);
 void add_view_commands(std::vector<Command>& commands);
 void add_fit_commands(std::vector<Command>& commands);
+void add_learning_commands(std::vector<Command>& commands);
 void add_help_commands(std::vector<Command>& commands);
 
 // Shared conditions, for Command::why_not: a hint on what to do first, or "".
@@ -21,6 +22,8 @@ std::string needs_collection(const Studio& studio);
 std::string needs_shape(const Studio& studio);
 std::string needs_template(const Studio& studio);
 std::string needs_part(const Studio& studio);
+std::string needs_free_shapes(const Studio& studio);  // that no job fits
+std::string needs_shapes_and_template(const Studio& studio);
 std::string needs_fit(const Studio& studio);  // of the active template as it is, to the shape in view
 
 // Arguments of scripts. Throw Error with what was expected.

@@ -32,10 +32,14 @@ void cancel_command(Studio& studio, Arguments) {
     studio.ui.browser.open = false;
   } else if (studio.ui.help || studio.ui.about) {
     studio.ui.help = studio.ui.about = false;
+  } else if (studio.ui.show_suggestions) {
+    studio.ui.show_suggestions = false;
   } else if (studio.history.has_preview()) {
     studio.history.cancel_preview();
     studio.ui.cancel_drag = true;
     studio.ui.status = "Cancelled";
+  } else if (studio.ui.look) {
+    stop_looking(studio);
   } else {
     studio.ui.part.reset();
   }

@@ -4,29 +4,12 @@
 #include "core/base/error.h"
 #include "core/session/actions.h"
 #include "ui/command_groups.h"
-#include "ui/learning_actions.h"
 #include "ui/project_actions.h"
 #include "ui/scripted_drag.h"
 #include "ui/studio.h"
 
 namespace archetype {
 namespace {
-
-std::string needs_free_shapes(const Studio& studio) {
-  if (std::string reason = needs_collection(studio); !reason.empty()) return reason;
-  if (studio.collection.rows().empty()) return "the collection has no shapes yet";
-  return is_fitted(studio, studio.collection.path) ? "its shapes are being fitted; stop that job first" : "";
-}
-
-std::string needs_suggestions(const Studio& studio) {
-  return studio.ui.suggestions.empty() ? "let templates be suggested first" : "";
-}
-
-std::string needs_shapes_and_template(const Studio& studio) {
-  if (std::string reason = needs_free_shapes(studio); !reason.empty()) return reason;
-  const PartTemplate* active = studio.history.committed().active_template();
-  return active && !active->parts.empty() ? "" : "make or load a template with at least one part first";
-}
 
 std::string needs_jobs(const Studio& studio) {
   return studio.jobs.idle() ? "nothing is running" : "";
@@ -36,27 +19,27 @@ void fit_all_command(Studio& studio, Arguments) {
   fit_all(studio);
 }
 
-void suggest_command(Studio& studio, Arguments) {
-  suggest_templates(studio);
+std::string needs_running_jobs(const Studio& studio) {
+  if (studio.jobs.idle()) return "nothing is running";
+  return studio.jobs.resting() ? "all jobs are paused" : "";
 }
 
-void show_suggestions(Studio& studio, Arguments) {
-  studio.ui.show_suggestions = true;
-}
-
-void take_suggestion_command(Studio& studio, Arguments arguments) {
-  const double rank = number_argument(arguments, 0, "a rank from 1");
-  if (rank < 1 || rank > static_cast<double>(studio.ui.suggestions.size()))
-    throw Error("there are " + std::to_string(studio.ui.suggestions.size()) + " suggested templates");
-  take_suggestion(studio, static_cast<std::size_t>(rank) - 1);
-}
-
-void learn_command(Studio& studio, Arguments) {
-  learn(studio);
+std::string needs_paused_jobs(const Studio& studio) {
+  for (const JobView& job : studio.jobs.view())
+    if (job.state == JobState::paused) return "";
+  return "nothing is paused";
 }
 
 void cancel_jobs(Studio& studio, Arguments) {
   studio.jobs.cancel_all();
+}
+
+void pause_jobs(Studio& studio, Arguments) {
+  studio.jobs.pause_all();
+}
+
+void resume_jobs(Studio& studio, Arguments) {
+  studio.jobs.resume_all();
 }
 
 void wait_command(Studio&, Arguments) {}  // every command waits; this one does nothing else
@@ -117,28 +100,18 @@ void add_fit_commands(std::vector<Command>& commands) {
            .run = fit_all_command,
            .why_not = needs_shapes_and_template,
            .separator = true},
-          {.name = "suggest-templates",
-           .title = "Suggest templates",
-           .menu = "Template",
-           .run = suggest_command,
-           .why_not = needs_free_shapes,
-           .separator = true},
-          {.name = "show-suggestions",
-           .title = "Show the suggested templates",
-           .menu = "Template",
-           .run = show_suggestions,
-           .why_not = needs_suggestions},
-          {.name = "take-suggestion",
-           .title = "Take a suggested template",
-           .arguments = "RANK",
-           .run = take_suggestion_command,
-           .why_not = needs_suggestions},
-          {.name = "learn",
-           .title = "Learn from all shapes",
-           .menu = "Template",
-           .key = "Ctrl+L",
-           .run = learn_command,
-           .why_not = needs_shapes_and_template},
+          {.name = "pause-jobs",
+           .title = "Pause all jobs",
+           .menu = "Shape",
+           .run = pause_jobs,
+           .why_not = needs_running_jobs,
+           .at_once = true},
+          {.name = "resume-jobs",
+           .title = "Let paused jobs go on",
+           .menu = "Shape",
+           .run = resume_jobs,
+           .why_not = needs_paused_jobs,
+           .at_once = true},
           {.name = "cancel-jobs",
            .title = "Stop all jobs",
            .menu = "Shape",

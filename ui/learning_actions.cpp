@@ -1,9 +1,14 @@
 // Jobs that end in an edit of the document.
 #include "ui/learning_actions.h"
 
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/fitting/fit_template.h"
 #include "core/session/actions.h"
 #include "core/session/learn_templates.h"
 #include "core/session/suggest_templates.h"
+#include "ui/learning_flow.h"
 #include "ui/project_actions.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
@@ -23,6 +28,27 @@ std::vector<PartTemplate> templates_of(const Document& document) {
   return templates;
 }
 
+// The shape that a suggested template is named after, with its fit. Null if there is none, or cancelled.
+std::shared_ptr<const SuggestionSource> source_of(const Project& project, const PartTemplate& suggested,
+                                                  const JobControl& control) {
+  constexpr std::string_view before_name = "from ";
+  const std::size_t at = suggested.name.find(before_name);
+  if (at == std::string::npos) return nullptr;
+  const auto shape = project.find_shape(suggested.name.substr(at + before_name.size()));
+  if (!shape) return nullptr;
+  ShapeSamples samples = project.samples(shape->id);
+  std::optional<ShapeFit> fit = fit_template(suggested, samples, {}, {control.stop, {}});
+  if (!fit) return nullptr;
+  return std::make_shared<const SuggestionSource>(SuggestionSource{std::move(samples), std::move(*fit)});
+}
+
+// The job that learns from the collection in view; null if none does.
+const ProjectWriter* learner_of(const Studio& studio) {
+  for (const ProjectWriter& writer : studio.writers)
+    if (writer.learns && writer.project == studio.collection.path) return &writer;
+  return nullptr;
+}
+
 std::string summary(const LearnReport& report, std::size_t templates) {
   std::string text = "Learned " + plural(templates, "template") + " in " +
                      plural(report.steps.size(), "round") + "; " + plural(report.learned, "shape") +
@@ -40,19 +66,67 @@ void suggest_templates(Studio& studio) {
   studio.jobs.start("Suggest templates", [&studio, path, threads](const JobControl& control) -> Jobs::Apply {
     const Project project = Project::open(path);
     Suggestions found = suggest_templates(project, SuggestOptions{}, threads, control);
-    return [&studio, path, found = std::move(found)] {
-      if (found.cancelled || studio.collection.path != path) return;
-      studio.ui.suggestions = found.templates;
+    std::vector<Suggestion> suggestions;
+    for (InitialTemplate& each : found.templates) {
+      auto source = source_of(project, each.part_template, control);
+      suggestions.push_back({std::move(each), std::move(source)});
+    }
+    if (control.cancelled()) return {};
+    return [&studio, path, suggestions = std::move(suggestions)] {
+      if (studio.collection.path != path) return;
+      studio.ui.suggestions = suggestions;
+      studio.ui.chosen_suggestion = 0;
       studio.ui.show_suggestions = true;
-      say(studio, Severity::note, plural(found.templates.size(), "template") + " suggested");
+      say(studio, Severity::note, plural(suggestions.size(), "template") + " suggested");
     };
   });
 }
 
 void take_suggestion(Studio& studio, std::size_t rank) {
-  const PartTemplate& chosen = studio.ui.suggestions.at(rank).part_template;
+  const PartTemplate& chosen = studio.ui.suggestions.at(rank).found.part_template;
   add_template(studio.history, chosen, "Take the suggested template " + chosen.name);
   studio.ui.part.reset();
+}
+
+std::optional<JobView> learning_job(const Studio& studio) {
+  const ProjectWriter* writer = learner_of(studio);
+  if (!writer) return std::nullopt;
+  for (const JobView& job : studio.jobs.view())
+    if (job.id == writer->job) return job;
+  return std::nullopt;
+}
+
+std::size_t rounds_learned(const Studio& studio) {
+  const std::shared_ptr<const LearningRecord> record = studio.collection.content.learning;
+  return record ? record->steps.size() : 0;
+}
+
+std::optional<double> most_seconds_of_rounds(const Studio& studio) {
+  const std::optional<JobView> job = learning_job(studio);
+  const std::shared_ptr<const LearningRecord> record = studio.collection.content.learning;
+  if (!job || !record || record->settled) return std::nullopt;
+  const std::size_t rounds = rounds_learned(studio);
+  const std::size_t before = learner_of(studio)->rounds_before;
+  const auto most = static_cast<std::size_t>(LearnOptions{}.iterations);
+  if (rounds <= before || most < rounds) return std::nullopt;
+  return estimate_seconds_left(job->seconds, rounds - before, most - before);
+}
+
+void look_into_round(Studio& studio, std::size_t round, std::size_t part_template) {
+  const std::shared_ptr<const LearningRecord> record = studio.collection.content.learning;
+  if (!record) throw Error("nothing was learned yet");
+  const std::vector<FlowColumn> columns = learning_flow(*record);
+  if (round >= columns.size() || part_template >= columns[round].nodes.size())
+    throw Error("there is no such template");
+  studio.ui.learning = {round, part_template};
+  look_at(studio, *columns[round].nodes[part_template].part_template, round_name(round));
+}
+
+void show_learning(Studio& studio) {
+  constexpr double least_height = 300;  // what the panel has to show needs room
+  studio.settings.show_bottom = true;
+  studio.settings.bottom_height = std::max(studio.settings.bottom_height, least_height);
+  studio.ui.wanted_bottom_tab = BottomTab::learning;
 }
 
 void learn(Studio& studio) {
@@ -83,7 +157,10 @@ void learn(Studio& studio) {
           say(studio, Severity::note, summary(report, learned.size()));
         };
       });
-  studio.writers.push_back({job, path, true});
+  studio.writers.push_back(
+      {.job = job, .project = path, .fits = true, .learns = true, .rounds_before = rounds_learned(studio)});
+  studio.ui.learning = {};
+  show_learning(studio);
 }
 
 }  // namespace archetype

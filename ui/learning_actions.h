@@ -3,6 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+
+#include "core/session/jobs.h"
 
 namespace archetype {
 
@@ -17,5 +20,17 @@ void take_suggestion(Studio& studio, std::size_t rank);
 // takes the place of that template, as one step that can be undone; of a stopped run, what its last whole
 // round left.
 void learn(Studio& studio);
+// The job that learns from the collection in view.
+std::optional<JobView> learning_job(const Studio& studio);
+// The whole rounds that the project in view holds.
+std::size_t rounds_learned(const Studio& studio);
+// How long the rounds take that are still allowed, if they go on as those of the job so far; nothing before
+// its first one is whole. Learning mostly settles sooner.
+std::optional<double> most_seconds_of_rounds(const Studio& studio);
+// Looks at a template of a round (0: what learning began with), which becomes the chosen one of the learning
+// panel. Throws Error where there is no such template.
+void look_into_round(Studio& studio, std::size_t round, std::size_t part_template);
+// Brings the learning panel into sight, high enough to be of use.
+void show_learning(Studio& studio);
 
 }  // namespace archetype

@@ -61,9 +61,10 @@ struct LiveFit {
   LiveFitWorker worker;
   std::uint64_t asked_document = 0;  // of the newest request
   std::uint64_t asked_shape = 0;
-  std::uint64_t shown_document = 0;  // of the fit that the next frame shows
-  bool newly_shown = false;          // the frame being drawn is the first with it
-  double fit_milliseconds = 0;       // of the newest result
+  std::shared_ptr<const PartTemplate> asked_look;  // the template that was looked at, if one was
+  std::uint64_t shown_document = 0;                // of the fit that the next frame shows
+  bool newly_shown = false;                        // the frame being drawn is the first with it
+  double fit_milliseconds = 0;                     // of the newest result
   double label_milliseconds = 0;
 };
 

@@ -16,11 +16,17 @@ bool is_for_text_field(const Studio& studio, const KeyChord& chord) {
   return chord.key != "Escape" || (!studio.ui.palette.open && !studio.ui.browser.open);
 }
 
+// Chooses among the suggested templates.
+bool is_for_suggestions(const Studio& studio, const KeyChord& chord) {
+  return studio.ui.show_suggestions && !studio.ui.palette.open &&
+         (chord.key == "Left" || chord.key == "Right" || chord.key == "Up" || chord.key == "Down");
+}
+
 }  // namespace
 
 void run_shortcuts(Studio& studio) {
   for (const KeyChord& chord : std::exchange(studio.pressed_keys, {})) {
-    if (is_for_text_field(studio, chord)) continue;
+    if (is_for_text_field(studio, chord) || is_for_suggestions(studio, chord)) continue;
     const std::string text = to_string(chord);
     const auto command = std::find_if(studio.commands.begin(), studio.commands.end(),
                                       [&](const Command& each) { return key_of(studio, each) == text; });

@@ -13,7 +13,10 @@ void draw_status_bar(Studio& studio) {
     if (!job.active()) continue;
     right = job.title;
     if (job.total > 0) right += "  " + count_text(job.done) + " of " + count_text(job.total);
-    if (job.seconds_left) right += "  ·  " + duration_text(*job.seconds_left) + " left";
+    if (job.state == JobState::paused)
+      right += "  ·  paused";
+    else if (job.seconds_left)
+      right += "  ·  " + duration_text(*job.seconds_left) + " left";
     break;
   }
   if (right.empty() && studio.shape.record) {

@@ -1,7 +1,10 @@
 // What goes on from frame to frame: results are taken over, new work is handed out.
 #include "ui/studio.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "ui/learning_actions.h"
 
 namespace archetype {
 namespace {
@@ -52,9 +55,8 @@ void drop_fit(Studio& studio) {
 // Asks for the fit of what is shown now, once for each state. The end of a drag is a state of its own: then
 // all yaws are tried.
 void ask_for_fit(Studio& studio) {
-  const Document& document = studio.history.current();
-  const PartTemplate* active = document.active_template();
-  if (!active || active->parts.empty() || !studio.shape.samples) {
+  const std::shared_ptr<const PartTemplate> shown = shown_template(studio);
+  if (!shown || shown->parts.empty() || !studio.shape.samples) {
     drop_fit(studio);
     studio.live_fit.asked_shape = studio.shape.shape_revision;
     return;
@@ -62,16 +64,19 @@ void ask_for_fit(Studio& studio) {
   LiveFit& live = studio.live_fit;
   const std::uint64_t revision = studio.history.revision();
   const bool other_shape = live.asked_shape != studio.shape.shape_revision;
-  if (live.asked_document == revision && !other_shape) return;
+  const std::shared_ptr<const PartTemplate> look = studio.ui.look ? shown : nullptr;
+  const bool other_look = live.asked_look != look;
+  if (live.asked_document == revision && !other_shape && !other_look) return;
   LiveFitRequest request;
-  request.part_template = document.templates[document.active];
+  request.part_template = shown;
   request.samples = studio.shape.samples;
   request.mesh = studio.shape.mesh;
   request.start = studio.shape.fit;
   request.dragging = studio.history.has_preview();
   request.document_revision = revision;
   request.shape_revision = studio.shape.shape_revision;
-  live.worker.request(std::move(request), other_shape);
+  live.worker.request(std::move(request), other_shape || other_look);
+  live.asked_look = look;
   live.asked_document = revision;
   live.asked_shape = studio.shape.shape_revision;
 }
@@ -82,6 +87,7 @@ void note_edit(Studio& studio) {
   if (studio.history.revision() == saving.edited_revision) return;
   saving.edited_revision = studio.history.revision();
   saving.edited_at = Clock::now();
+  stop_looking(studio);
   if (studio.shape.samples) studio.latency.edited(saving.edited_revision, studio.frame_start);
 }
 
@@ -112,18 +118,30 @@ void tell_problems(Studio& studio) {
     if (!problem.empty()) say(studio, Severity::error, problem);
 }
 
+// A learning that starts over has no rounds before it, whatever the project told when it was asked for.
+void note_rounds(Studio& studio) {
+  const std::size_t rounds = rounds_learned(studio);
+  for (ProjectWriter& writer : studio.writers)
+    if (writer.project == studio.collection.path)
+      writer.rounds_before = std::min(writer.rounds_before, rounds);
+}
+
 // While something writes to the project, its rows are read anew twice a second.
 void follow_rows(Studio& studio) {
   if (std::optional<CollectionRows> rows = studio.rows_reader.poll()) {
     studio.collection.content = std::move(*rows);
     ++studio.collection.revision;
+    note_rounds(studio);
     if (!studio.ui.shape && !studio.collection.rows().empty())
       show_shape(studio, studio.collection.rows()[0].id);
     follow_changed_file(studio);
   }
-  if (!studio.collection.open() || studio.jobs.idle()) return;
+  // Once more when all are paused: what came just before.
+  const bool resting = studio.jobs.resting();
+  if (!studio.collection.open() || studio.jobs.idle() || (resting && studio.rows_are_of_pause)) return;
   if (Clock::now() - studio.rows_asked_at < std::chrono::milliseconds(500)) return;
   studio.rows_asked_at = Clock::now();
+  studio.rows_are_of_pause = resting;
   studio.rows_reader.request(studio.collection.path, false);
 }
 
@@ -175,7 +193,7 @@ void frame_shown(Studio& studio) {
 }
 
 bool settled(const Studio& studio) {
-  return !studio.drag && !studio.wanted_picture && studio.jobs.idle() && studio.shape_loader.idle() &&
+  return !studio.drag && !studio.wanted_picture && studio.jobs.resting() && studio.shape_loader.idle() &&
          studio.live_fit.worker.idle() && studio.rows_reader.idle() && studio.directory_reader.idle() &&
          studio.autosave.saver.idle() && studio.thumbnails.idle() && !studio.live_fit.newly_shown &&
          studio.live_fit.asked_shape == studio.shape.shape_revision &&

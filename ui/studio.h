@@ -45,6 +45,8 @@ struct ProjectWriter {
   JobId job = 0;
   std::filesystem::path project;
   bool fits = false;
+  bool learns = false;
+  std::size_t rounds_before = 0;  // that a learning goes on from
 };
 
 // Where something stands in the window that can be clicked; for tests and scripts.
@@ -92,6 +94,7 @@ struct Studio {
 
   std::optional<DirectoryListing> directory;  // of the file browser
   std::chrono::steady_clock::time_point rows_asked_at{};
+  bool rows_are_of_pause = false;  // asked for while all jobs were paused
   std::chrono::steady_clock::time_point frame_start{};
   double frame_milliseconds = 0;  // from its start until the newest frame was shown
 };

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "core/io/project.h"
 #include "core/learning/initial_templates.h"
 #include "ui/collection.h"
+#include "ui/template_look.h"
 
 namespace archetype {
 
@@ -71,7 +73,23 @@ struct FileBrowserState {
   bool asked_to_replace = false;
 };
 
-enum class BottomTab { jobs, messages, history, diagnostics };
+// A suggested template, and the shape whose segmentation it was made of.
+struct SuggestionSource {
+  ShapeSamples samples;
+  ShapeFit fit;
+};
+struct Suggestion {
+  InitialTemplate found;
+  std::shared_ptr<const SuggestionSource> source;  // null: the shape is not known
+};
+
+// What is chosen in the learning panel.
+struct LearningChoice {
+  std::optional<std::size_t> round;          // nothing: the newest one
+  std::optional<std::size_t> part_template;  // of that round
+};
+
+enum class BottomTab { jobs, learning, messages, history, diagnostics };
 
 struct UiState {
   std::optional<ShapeId> shape;     // the shape in view
@@ -90,11 +108,14 @@ struct UiState {
   FileBrowserState browser;
   BottomTab bottom_tab = BottomTab::jobs;
   std::optional<BottomTab> wanted_bottom_tab;
-  std::vector<InitialTemplate> suggestions;  // to choose from
+  std::vector<Suggestion> suggestions;  // to choose from
+  std::size_t chosen_suggestion = 0;
   bool show_suggestions = false;
-  bool help = false;   // the list of keys
-  bool about = false;  // with the credits
-  std::string status;  // the line at the bottom: what was done last
+  LearningChoice learning;
+  std::optional<TemplateLook> look;  // nothing: the active template of the document is shown
+  bool help = false;                 // the list of keys
+  bool about = false;                // with the credits
+  std::string status;                // the line at the bottom: what was done last
 };
 
 }  // namespace archetype

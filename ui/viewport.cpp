@@ -57,12 +57,12 @@ bool moving(const ViewportState& state) {
 ViewportContent content_of(const Studio& studio) {
   const ViewportState& state = studio.viewport;
   ViewportContent content;
-  content.part_template = studio.history.current().active_template();
+  content.part_template = shown_template(studio).get();
   content.fit = studio.shape.fit.get();
   content.display = state.display;
   content.colours = state.colours;
   content.view = studio.ui.view;
-  content.selected = studio.ui.part;
+  if (!studio.ui.look) content.selected = studio.ui.part;
   content.hovered = state.hovered;
   content.moving = moving(state);
   content.backdrop = studio.theme == Theme::light ? Backdrop::light : Backdrop::dark;
@@ -159,6 +159,7 @@ void draw_picture(Studio& studio, const Scene& scene, ImVec2 size) {
   key.backdrop = scene.backdrop;
   key.coarse = moving(state) && state.display.coarse;
   key.document_revision = studio.history.revision();
+  if (studio.ui.look) key.looked_at = studio.ui.look->part_template;
   key.fit_revision = state.coloured_fit;
   key.display_revision = state.display.shape_revision;
   key.selected = studio.ui.part;
@@ -180,9 +181,9 @@ void draw_overlay(Studio& studio, ImVec2 origin, ImVec2 size, const GizmoView& v
   const ViewportState& state = studio.viewport;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.PushClipRect(origin, {origin.x + size.x, origin.y + size.y}, true);
-  const PartTemplate* active = studio.history.current().active_template();
-  if (active && studio.ui.view.mean_boxes && studio.ui.view.part_names)
-    draw_part_names(draw, origin, *active, studio.ui.part, view);
+  const std::shared_ptr<const PartTemplate> shown = shown_template(studio);
+  if (shown && studio.ui.view.mean_boxes && studio.ui.view.part_names)
+    draw_part_names(draw, origin, *shown, studio.ui.part, view);
   const auto highlighted = state.drag ? std::optional(state.drag->handle) : state.handle;
   draw_handles(draw, origin, shapes, highlighted, view.scale);
   draw_axes(draw, origin, view, ImGui::GetColorU32(colours(studio).text));
@@ -191,7 +192,8 @@ void draw_overlay(Studio& studio, ImVec2 origin, ImVec2 size, const GizmoView& v
 
 std::vector<HandleShape> handles_of_selection(const Studio& studio, const GizmoView& view) {
   const PartTemplate* active = studio.history.current().active_template();
-  if (!active || !studio.ui.part || *studio.ui.part >= active->parts.size() || !studio.ui.view.mean_boxes)
+  if (studio.ui.look || !active || !studio.ui.part || *studio.ui.part >= active->parts.size() ||
+      !studio.ui.view.mean_boxes)
     return {};
   return handle_shapes(active->parts[*studio.ui.part].mean_box(), studio.ui.tool, view);
 }
@@ -204,6 +206,7 @@ ViewportState::ViewportState(const std::filesystem::path& shaders, std::function
 void draw_viewport(Studio& studio) {
   ViewportState& state = studio.viewport;
   take_over_shape(studio);
+  draw_look_strip(studio);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const ImVec2 size = ImGui::GetContentRegionAvail();
   if (size.x < 1 || size.y < 1) return;

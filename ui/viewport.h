@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "render/camera.h"
@@ -34,6 +35,7 @@ struct PictureKey {
   Backdrop backdrop = Backdrop::dark;
   bool coarse = false;
   std::uint64_t document_revision = 0;
+  std::shared_ptr<const PartTemplate> looked_at;
   std::uint64_t fit_revision = 0;
   std::uint64_t display_revision = 0;
   std::optional<std::size_t> selected;

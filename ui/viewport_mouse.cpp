@@ -21,6 +21,7 @@ constexpr double zoom_per_pixel = 0.994;  // upwards, at scale 1
 
 // Clicking again on the same place takes the next box below the cursor.
 void select_at(Studio& studio, const Scene& scene, const GizmoView& view, const glm::dvec2& cursor) {
+  if (studio.ui.look) return;  // there is nothing to edit
   std::vector<std::size_t> parts;
   const PartTemplate* active = studio.history.current().active_template();
   if (active && studio.ui.view.mean_boxes)
@@ -117,10 +118,10 @@ void hover(Studio& studio, const MouseInput& mouse, const Scene& scene, const Gi
   if (!mouse.over) return;
   state.handle = find_handle(shapes, view, mouse.cursor);
   if (state.handle) return;
-  const PartTemplate* active = studio.history.current().active_template();
-  if (!active || !studio.ui.view.mean_boxes) return;
+  const std::shared_ptr<const PartTemplate> shown = shown_template(studio);
+  if (!shown || !studio.ui.view.mean_boxes) return;
   const auto picks = pick_boxes(scene, ray_through(view.camera, view.viewport, mouse.cursor));
-  if (!picks.empty() && picks.front().object < active->parts.size()) state.hovered = picks.front().object;
+  if (!picks.empty() && picks.front().object < shown->parts.size()) state.hovered = picks.front().object;
 }
 
 void move_camera(ViewportState& state, const MouseInput& mouse, const GizmoView& view) {

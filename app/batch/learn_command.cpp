@@ -26,7 +26,7 @@ void print_report(const Project& project, const LearnReport& report, const Invoc
     auto rounds = nlohmann::ordered_json::array();
     for (const LearningStep& step : report.steps) {
       rounds.push_back({{"round", step.iteration},
-                        {"templates", step.templates},
+                        {"templates", step.templates.size()},
                         {"energy_before", step.energy_before},
                         {"energy", step.energy}});
     }
@@ -44,7 +44,7 @@ void print_report(const Project& project, const LearnReport& report, const Invoc
   print_refused(report.fit.refused);
   std::vector<std::vector<std::string>> rows{{"round", "templates", "energy before", "energy"}};
   for (const LearningStep& step : report.steps) {
-    rows.push_back({std::to_string(step.iteration), std::to_string(step.templates),
+    rows.push_back({std::to_string(step.iteration), std::to_string(step.templates.size()),
                     fixed(step.energy_before, 4), fixed(step.energy, 4)});
   }
   print_table(std::cout, rows);

@@ -10,13 +10,15 @@
 
 namespace archetype {
 
+std::size_t allowed_threads(unsigned threads) {
+  const auto of_machine = static_cast<std::size_t>(tbb::info::default_concurrency());
+  return std::max<std::size_t>(threads, of_machine) + of_machine;
+}
+
 bool parallel_for(std::size_t n, unsigned threads, const JobControl& control, const char* what,
                   const std::function<void(std::size_t)>& body) {
   std::atomic<std::size_t> done = 0;
-  // TBB warns on standard error if an arena asks for more threads than it allows by itself.
-  const tbb::global_control allowed(
-      tbb::global_control::max_allowed_parallelism,
-      std::max<std::size_t>(threads, static_cast<std::size_t>(tbb::info::default_concurrency())));
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, allowed_threads(threads));
   tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads));
   arena.execute([&] {
     tbb::task_group_context context;

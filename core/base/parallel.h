@@ -15,4 +15,9 @@ namespace archetype {
 bool parallel_for(std::size_t n, unsigned threads, const JobControl& control, const char* what,
                   const std::function<void(std::size_t)>& body);
 
+// How many threads TBB may have while a loop with `threads` of them runs (for tbb::global_control, which by
+// itself allows as many as the machine has, and warns where more are asked for): those of the machine
+// besides, since a job that is paused keeps its own asleep.
+std::size_t allowed_threads(unsigned threads);
+
 }  // namespace archetype

@@ -57,6 +57,7 @@ class Round {
     }
     drop_unused();
     result_.energy = mean_energy();
+    for (std::size_t i = 0; i < judging_.size(); ++i) result_.taken.push_back(taken_[i].part_template);
     return std::move(result_);
   }
 

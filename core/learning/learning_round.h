@@ -31,6 +31,8 @@ struct LearningRound {
   bool dropped = false;                 // a template that no judging shape takes was left out
   double energy_before = 0;  // mean choice energy over the judging shapes, with what the templates cost
   double energy = 0;         // afterwards
+  std::vector<std::size_t>
+      taken;  // by judging shape, afterwards: the index of the template that fits it best
 
   bool changed() const;
 };

@@ -7,14 +7,15 @@
 
 namespace archetype {
 
-// In batches, since every commit waits for the disk; but a run that is stopped, or cut off at any moment,
-// loses no more than a second's work.
+// In batches, since every commit waits for the disk; but a run that is stopped or paused, or cut off at any
+// moment, loses no more than a second's work.
 class CommitPace {
  public:
   bool due(std::size_t pending, const JobControl& control) const {
     constexpr std::size_t batch = 16;
     constexpr std::chrono::seconds longest{1};
-    return pending >= batch || (pending > 0 && (control.cancelled() || Clock::now() - last_ >= longest));
+    return pending >= batch ||
+           (pending > 0 && (control.stop.paused() || control.cancelled() || Clock::now() - last_ >= longest));
   }
   void committed() { last_ = Clock::now(); }
 

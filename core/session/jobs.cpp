@@ -17,6 +17,23 @@ double seconds_between(Clock::time_point a, Clock::time_point b) {
   return std::chrono::duration<double>(b - a).count();
 }
 
+// The time that work takes, without its pauses.
+class WorkClock {
+ public:
+  double seconds() const { return before_ + (since_ ? seconds_between(*since_, Clock::now()) : 0); }
+  void halt() {
+    before_ = seconds();
+    since_.reset();
+  }
+  void go_on() {
+    if (!since_) since_ = Clock::now();
+  }
+
+ private:
+  double before_ = 0;
+  std::optional<Clock::time_point> since_ = Clock::now();  // nothing: it stands
+};
+
 }  // namespace
 
 std::optional<double> estimate_seconds_left(double seconds, std::size_t done, std::size_t total) {
@@ -28,20 +45,21 @@ std::optional<double> estimate_seconds_left(double seconds, std::size_t done, st
 struct Jobs::Running {
   JobId id = 0;
   std::string title;
-  Clock::time_point start = Clock::now();
   std::stop_source stop;
+  std::shared_ptr<PauseGate> gate = std::make_shared<PauseGate>();
 
-  std::mutex mutex;  // guards the four below
+  std::mutex mutex;  // guards the seven below
+  WorkClock clock;
+  double step_start = 0;  // by that clock
   std::string doing;
   std::size_t done = 0;
   std::size_t total = 0;
   Clock::time_point last_wake{};
 
   std::atomic<bool> ended = false;
-  Apply apply;  // the four are written before `ended` is set, read after
+  Apply apply;  // the three are written before `ended` is set, read after
   std::string error;
   bool failed = false;
-  Clock::time_point end{};
 
   std::jthread thread;  // last: it is joined before the rest goes
 
@@ -49,19 +67,20 @@ struct Jobs::Running {
     JobView view;
     view.id = id;
     view.title = title;
+    bool over = false;
     {
       const std::lock_guard lock(mutex);
       view.doing = doing;
       view.done = done;
       view.total = total;
+      over = ended;
+      view.seconds = clock.seconds();
+      view.seconds_left = estimate_seconds_left(view.seconds - step_start, done, total);
     }
-    const bool over = ended;
-    view.seconds = seconds_between(start, over ? end : Clock::now());
-    view.seconds_left = estimate_seconds_left(view.seconds, view.done, view.total);
     view.error = over ? error : "";
     const bool stopping = stop.stop_requested();
     if (!over)
-      view.state = stopping ? JobState::stopping : JobState::running;
+      view.state = stopping ? JobState::stopping : gate->closed() ? JobState::paused : JobState::running;
     else
       view.state = failed ? JobState::failed : stopping ? JobState::cancelled : JobState::done;
     return view;
@@ -73,8 +92,9 @@ struct Jobs::Running {
     bool tell = false;
     {
       const std::lock_guard lock(mutex);
-      // Threads report out of order; within one step the count only rises.
-      const bool same_step = what == doing && now_total == total;
+      // Threads report out of order; within one step the count only rises, until it is through.
+      const bool same_step = what == doing && now_total == total && done < total;
+      if (!same_step) step_start = clock.seconds();
       done = same_step ? std::max(done, now_done) : now_done;
       doing = what;
       total = now_total;
@@ -85,6 +105,24 @@ struct Jobs::Running {
       }
     }
     if (tell && wake) wake();
+  }
+
+  void finish() {
+    const std::lock_guard lock(mutex);
+    clock.halt();
+    ended = true;
+  }
+
+  void pause(bool wanted) {
+    const std::lock_guard lock(mutex);
+    if (ended) return;
+    if (wanted) {
+      gate->close();
+      clock.halt();
+    } else {
+      clock.go_on();
+      gate->open();
+    }
   }
 };
 
@@ -101,7 +139,7 @@ JobId Jobs::start(std::string title, Work work) {
   running->title = std::move(title);
   running->thread = std::jthread([running, work = std::move(work), wake = wake_] {
     JobControl control;
-    control.stop = running->stop.get_token();
+    control.stop = {running->stop.get_token(), running->gate};
     control.report = [running, &wake](std::size_t done, std::size_t total, std::string_view what) {
       running->report(done, total, what, wake);
     };
@@ -111,8 +149,7 @@ JobId Jobs::start(std::string title, Work work) {
       running->error = error.what();
       running->failed = true;
     }
-    running->end = Clock::now();
-    running->ended = true;
+    running->finish();
     if (wake) wake();
   });
   running_.push_back(std::move(job));
@@ -126,6 +163,28 @@ void Jobs::cancel(JobId id) {
 
 void Jobs::cancel_all() {
   for (const auto& job : running_) job->stop.request_stop();
+}
+
+void Jobs::pause(JobId id) {
+  for (const auto& job : running_)
+    if (job->id == id) job->pause(true);
+}
+
+void Jobs::resume(JobId id) {
+  for (const auto& job : running_)
+    if (job->id == id) job->pause(false);
+}
+
+void Jobs::pause_all() {
+  for (const auto& job : running_) job->pause(true);
+}
+
+void Jobs::resume_all() {
+  for (const auto& job : running_) job->pause(false);
+}
+
+bool Jobs::resting() const {
+  return std::ranges::all_of(running_, [](const auto& job) { return job->view().state == JobState::paused; });
 }
 
 std::vector<JobView> Jobs::poll() {

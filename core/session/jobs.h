@@ -15,7 +15,7 @@ namespace archetype {
 
 using JobId = std::uint64_t;
 
-enum class JobState { running, stopping, done, cancelled, failed };
+enum class JobState { running, paused, stopping, done, cancelled, failed };
 
 // What a person sees of a job.
 struct JobView {
@@ -24,16 +24,18 @@ struct JobView {
   std::string doing;                   // the step at hand, "" at first
   std::size_t done = 0;                // of total, in the job's own unit
   std::size_t total = 0;               // 0: not known yet
-  double seconds = 0;                  // since the start, or from start to end
-  std::optional<double> seconds_left;  // once it can be told
+  double seconds = 0;                  // since the start, or from start to end; without the pauses
+  std::optional<double> seconds_left;  // of the step at hand, once it can be told
   JobState state = JobState::running;
   std::string error;  // of a failed job: one line for a person
 
-  bool active() const { return state == JobState::running || state == JobState::stopping; }
+  bool active() const {
+    return state == JobState::running || state == JobState::paused || state == JobState::stopping;
+  }
 };
 
-// The time that the rest takes if it goes on as fast as the part since the start; nothing in the first second
-// and while nothing is done.
+// The time that the rest takes if it goes on as fast as the part that was done in `seconds`; nothing in the
+// first second and while nothing is done.
 std::optional<double> estimate_seconds_left(double seconds, std::size_t done, std::size_t total);
 
 // Several jobs at once, a thread each. All members are for one thread, that of the window.
@@ -54,11 +56,18 @@ class Jobs {
   JobId start(std::string title, Work work);
   void cancel(JobId id);
   void cancel_all();
+  // A paused job sleeps at its next look at control, within what it takes to get there; it keeps its memory
+  // and threads. Cancelled, it stops without going on.
+  void pause(JobId id);
+  void resume(JobId id);
+  void pause_all();
+  void resume_all();
   // Applies the results of the jobs that have ended, also of cancelled ones (they say what they kept).
   // Returns the views of those that ended since the last call.
   std::vector<JobView> poll();
 
   bool idle() const { return running_.empty(); }
+  bool resting() const;  // all that have not ended are paused
   // Running jobs in the order of their start, then the last ended ones, newest first.
   std::vector<JobView> view() const;
 

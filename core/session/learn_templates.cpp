@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <span>
 
 #include "core/base/error.h"
 #include "core/base/number_text.h"
@@ -28,10 +29,20 @@ constexpr double outlier_factor = 2;
 struct State {
   std::string request;   // what is learned from what, as a hash
   bool settled = false;  // the last round kept nothing new
+  std::vector<LearningLine> lines;
   std::vector<LearningStep> steps;
+  std::vector<ShapeId> judging;
   std::vector<PartTemplate> start;  // what learning began with
   std::vector<TemplateId> ids;
   std::vector<LearnedTemplate> templates;
+
+  // The line of each current template.
+  std::vector<std::size_t> current_lines() const {
+    if (!steps.empty()) return steps.back().lines;
+    std::vector<std::size_t> first(start.size());
+    std::iota(first.begin(), first.end(), std::size_t{0});
+    return first;
+  }
 };
 
 }  // namespace
@@ -62,14 +73,52 @@ void store_state(Project& project, const State& state) {
   json["initial"] = Json::array();
   for (const LearnedTemplate& each : state.templates)
     json["initial"].push_back(format_template(each.initial));
+  json["judging"] = state.judging;
+  json["lines"] = Json::array();
+  for (const LearningLine& line : state.lines) {
+    json["lines"].push_back({{"born", line.born}});
+    if (line.parent) json["lines"].back()["parent"] = *line.parent;
+  }
   json["steps"] = Json::array();
   for (const LearningStep& step : state.steps) {
     json["steps"].push_back({{"iteration", step.iteration},
-                             {"templates", step.templates},
                              {"energy_before", step.energy_before},
-                             {"energy", step.energy}});
+                             {"energy", step.energy},
+                             {"templates", step.templates},
+                             {"lines", step.lines},
+                             {"taken", step.taken}});
   }
   project.set_setting(std::string(learn_state_setting), json.dump());
+}
+
+// Throws InputError for what is no count.
+std::size_t read_index(const Json& json) {
+  if (!json.is_number_unsigned()) throw InputError("learn.state", "", "expected an index");
+  return json.get<std::size_t>();
+}
+
+std::vector<std::size_t> read_indices(const Json& json) {
+  std::vector<std::size_t> indices;
+  for (const Json& each : json) indices.push_back(read_index(each));
+  return indices;
+}
+
+// Every index has what it stands for.
+bool is_sound(const State& state) {
+  if (state.start.empty() || state.start.size() > state.lines.size()) return false;
+  for (std::size_t i = 0; i < state.lines.size(); ++i) {
+    if (state.lines[i].parent.has_value() != (i >= state.start.size())) return false;
+    if (state.lines[i].parent && *state.lines[i].parent >= i) return false;
+  }
+  for (const LearningStep& step : state.steps) {
+    const auto less_than = [](std::size_t count) { return [count](std::size_t i) { return i < count; }; };
+    if (step.templates.empty() || step.lines.size() != step.templates.size()) return false;
+    if (!std::ranges::all_of(step.lines, less_than(state.lines.size()))) return false;
+    if (step.taken.size() != state.judging.size()) return false;
+    if (!std::ranges::all_of(step.taken, less_than(step.templates.size()))) return false;
+  }
+  return state.steps.empty() ? state.ids.size() == state.start.size()
+                             : state.ids == state.steps.back().templates;
 }
 
 // Nothing if there is none, or what the file holds is not one: then learning starts over.
@@ -91,9 +140,19 @@ std::optional<State> stored_state(const Project& project) {
       if (initial.parts.size() != record->part_template.parts.size()) return std::nullopt;
       state.templates.push_back({std::move(record->part_template), std::move(initial)});
     }
-    for (const Json& step : json.at("steps"))
-      state.steps.push_back({step.at("iteration").get<int>(), step.at("templates").get<std::size_t>(),
-                             step.at("energy_before").get<double>(), step.at("energy").get<double>()});
+    state.judging = json.at("judging").get<std::vector<ShapeId>>();
+    for (const Json& line : json.at("lines")) {
+      LearningLine& read = state.lines.emplace_back();
+      read.born = static_cast<int>(read_index(line.at("born")));
+      if (line.contains("parent")) read.parent = read_index(line.at("parent"));
+    }
+    for (const Json& step : json.at("steps")) {
+      state.steps.push_back({static_cast<int>(read_index(step.at("iteration"))),
+                             step.at("energy_before").get<double>(), step.at("energy").get<double>(),
+                             step.at("templates").get<std::vector<TemplateId>>(),
+                             read_indices(step.at("lines")), read_indices(step.at("taken"))});
+    }
+    if (!is_sound(state)) return std::nullopt;
     return state;
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
@@ -160,9 +219,10 @@ class LearnRun {
 
   void begin(const std::vector<PartTemplate>& initial, bool fresh) {
     const std::string request = learn_request(project_, initial, fit_options_, options_, seed_).to_hex();
+    const std::vector<ShapeId> judging = judging_shapes(project_.shape_ids(), options_, seed_);
     if (!fresh) {
       std::optional<State> stored = stored_state(project_);
-      if (stored && stored->request == request) {
+      if (stored && stored->request == request && stored->judging == judging) {
         state_ = std::move(*stored);
         return;
       }
@@ -178,6 +238,8 @@ class LearnRun {
     }
     state_.request = request;
     state_.start = initial;
+    state_.judging = judging;
+    state_.lines.resize(initial.size());
     project_.set_current_templates(state_.ids);
     store_state(project_, state_);
     transaction.commit();
@@ -186,14 +248,13 @@ class LearnRun {
   // False if cancelled.
   bool learn() {
     const std::vector<ShapeId> shapes = project_.shape_ids();
-    const std::vector<ShapeId> judges = judging_shapes(shapes, options_, seed_);
-    const std::set<ShapeId> judging_ids(judges.begin(), judges.end());
+    const std::set<ShapeId> judging_ids(state_.judging.begin(), state_.judging.end());
     std::vector<ShapeId> rest;
     for (const ShapeId id : shapes) {
       if (!judging_ids.contains(id)) rest.push_back(id);
     }
     std::vector<ShapeSamples> judging;
-    if (!state_.settled && !load(project_, judges, control_, judging)) return false;
+    if (!state_.settled && !load(project_, state_.judging, control_, judging)) return false;
     while (!state_.settled && static_cast<int>(state_.steps.size()) < options_.iterations) {
       const int iteration = static_cast<int>(state_.steps.size()) + 1;
       std::vector<ShapeSamples> others;
@@ -232,10 +293,17 @@ class LearnRun {
   // One transaction a round.
   void keep(const LearningRound& round, int iteration) {
     Project::Transaction transaction(project_);
-    std::vector<TemplateId> ids;
+    const std::vector<std::size_t> lines_before = state_.current_lines();
+    LearningStep step{iteration, round.energy_before, round.energy, {}, {}, round.taken};
+    std::vector<TemplateId>& ids = step.templates;
     for (std::size_t t = 0; t < round.templates.size(); ++t) {
       const TemplateOrigin& origin = round.origins[t];
       const TemplateId parent = state_.ids[origin.parent];
+      // A re-estimated template keeps its name, and a spawned one has another.
+      const bool spawned =
+          round.templates[t].part_template.name != state_.templates[origin.parent].part_template.name;
+      if (spawned) state_.lines.push_back({lines_before[origin.parent], iteration});
+      step.lines.push_back(spawned ? state_.lines.size() - 1 : lines_before[origin.parent]);
       if (!origin.changed) {
         ids.push_back(parent);
         continue;
@@ -249,8 +317,8 @@ class LearnRun {
     state_.ids = ids;
     state_.templates = round.templates;
     state_.settled = !round.changed();
-    state_.steps.push_back({iteration, ids.size(), round.energy_before, round.energy});
     project_.set_current_templates(ids);
+    state_.steps.push_back(std::move(step));
     store_state(project_, state_);
     transaction.commit();
   }
@@ -288,6 +356,25 @@ class LearnRun {
 };
 
 }  // namespace
+
+std::optional<LearningRecord> learning_record(const Project& project) {
+  std::optional<State> state = stored_state(project);
+  if (!state) return std::nullopt;
+  std::set<TemplateId> ids;
+  for (const LearningStep& step : state->steps) ids.insert(step.templates.begin(), step.templates.end());
+  LearningRecord record;
+  for (const TemplateId id : ids) {
+    std::optional<TemplateRecord> found = project.find_template(id);
+    if (!found) return std::nullopt;
+    record.templates.push_back(std::move(*found));
+  }
+  record.start = std::move(state->start);
+  record.judging = std::move(state->judging);
+  record.lines = std::move(state->lines);
+  record.steps = std::move(state->steps);
+  record.settled = state->settled;
+  return record;
+}
 
 std::vector<PartTemplate> learning_start(const Project& project) {
   std::vector<TemplateId> ids;

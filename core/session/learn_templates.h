@@ -6,12 +6,21 @@
 
 namespace archetype {
 
-// What one round found.
+// A template and all that it was re-estimated to, round after round, are one line. Whatever is spawned begins
+// another.
+struct LearningLine {
+  std::optional<std::size_t> parent;  // the line that it was spawned by; nothing: learning began with it
+  int born = 0;                       // the round that it was spawned in, 0: none
+};
+
+// What one round left.
 struct LearningStep {
-  int iteration = 0;  // from 1
-  std::size_t templates = 0;
+  int iteration = 0;         // from 1
   double energy_before = 0;  // as in LearningRound
   double energy = 0;
+  std::vector<TemplateId> templates;  // those of rounds that are over stay in the project
+  std::vector<std::size_t> lines;     // by template: an index into LearningRecord::lines
+  std::vector<std::size_t> taken;     // by judging shape: an index into `templates`
 };
 
 struct LearnReport {
@@ -26,6 +35,18 @@ struct LearnReport {
 
 // The key of the project's setting that says how far learning has come.
 inline constexpr std::string_view learn_state_setting = "learn.state";
+
+// What a project tells of the learning that goes on in it, or that was done or stopped last.
+struct LearningRecord {
+  std::vector<PartTemplate> start;        // what it began with: the first lines, in this order
+  std::vector<ShapeId> judging;           // the shapes that judge every round
+  std::vector<LearningLine> lines;        // parents before their children
+  std::vector<LearningStep> steps;        // the rounds that are whole
+  std::vector<TemplateRecord> templates;  // those of all steps, ordered by id
+  bool settled = false;                   // the last round kept nothing new
+};
+// Nothing where nothing was learned, or by a program that kept less. Throws FileError. A few milliseconds.
+std::optional<LearningRecord> learning_record(const Project& project);
 
 // What to learn from where nothing else is said: the current templates, or, where these were learned, what
 // that learning began with. Empty for a project without templates.

@@ -2,12 +2,12 @@
 #include "core/session/ordered_pipeline.h"
 
 #include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
 #include <mutex>
+
+#include "core/base/parallel.h"
 
 namespace archetype {
 
@@ -55,11 +55,8 @@ bool ordered_pipeline(std::size_t n, unsigned threads, const JobControl& control
     control.progress(++finished, n, what);
   };
   const std::size_t window = pipeline_window(threads);
-  // TBB warns on standard error if an arena asks for more threads than it allows by itself.
-  const tbb::global_control allowed(
-      tbb::global_control::max_allowed_parallelism,
-      std::max<std::size_t>(thread_count(threads),
-                            static_cast<std::size_t>(tbb::info::default_concurrency())));
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                    allowed_threads(thread_count(threads)));
   tbb::task_arena arena(static_cast<int>(thread_count(threads)));
   arena.execute([&] {
     using tbb::filter_mode;

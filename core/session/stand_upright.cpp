@@ -47,10 +47,11 @@ std::size_t stand_upright(Project& project, unsigned threads, const JobControl& 
   }
   const std::vector<UpAxis> ups = decide_upright(looks, control);
   if (ups.size() != records.size()) return 0;
+  const std::stop_token stop = control.stop;  // no pause from here on: others could not write
   Project::Transaction transaction(project);
   std::size_t count = 0;
   for (std::size_t i = 0; i < records.size(); ++i) {
-    if (control.cancelled()) return 0;
+    if (stop.stop_requested()) return 0;
     if (records[i].up == ups[i]) continue;
     const ShapeSamples upright = turned(project.samples(records[i].id), ups[i]);
     records[i].up = ups[i];

@@ -4,8 +4,11 @@
 #include <doctest/doctest.h>
 
 #include <atomic>
+#include <ctime>
 #include <stdexcept>
 #include <thread>
+
+#include "core/base/parallel.h"
 
 using namespace archetype;
 using namespace std::chrono_literals;
@@ -27,6 +30,28 @@ Jobs::Apply wait_for_stop(const JobControl& control) {
   while (!control.cancelled()) std::this_thread::sleep_for(1ms);
   return {};
 }
+
+// Counts, on two threads, until it is told to stop.
+struct Counting {
+  std::atomic<int> count = 0;
+  Jobs::Work work() {
+    return [this](const JobControl& control) -> Jobs::Apply {
+      parallel_for(1'000'000, 2, control, "counting", [this](std::size_t) {
+        ++count;
+        std::this_thread::sleep_for(1ms);
+      });
+      return {};
+    };
+  }
+  void wait_for(int wanted) const {
+    for (int i = 0; i < 10'000 && count < wanted; ++i) std::this_thread::sleep_for(1ms);
+    REQUIRE(count >= wanted);
+  }
+  // What is under way when a job is paused comes to its end first.
+  void wait_until_still() const {
+    for (int before = -1; before != count; std::this_thread::sleep_for(50ms)) before = count;
+  }
+};
 
 }  // namespace
 
@@ -120,4 +145,107 @@ TEST_CASE("Jobs that still run are stopped when the list goes") {
     });
   }
   CHECK(stopped);
+}
+
+TEST_CASE("A paused job does nothing, takes no processor time and goes on where it was") {
+  Jobs jobs;
+  Counting counting;
+  const JobId job = jobs.start("Count", counting.work());
+  counting.wait_for(20);
+  CHECK_FALSE(jobs.resting());
+  jobs.pause(job);
+  CHECK(jobs.view()[0].state == JobState::paused);
+  CHECK(jobs.view()[0].active());
+  CHECK(jobs.resting());
+  CHECK_FALSE(jobs.idle());
+  counting.wait_until_still();
+  const int before = counting.count;
+  const std::clock_t processor = std::clock();
+  std::this_thread::sleep_for(300ms);
+  CHECK(counting.count == before);
+  CHECK(static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC < 0.05);
+  jobs.resume(job);
+  CHECK(jobs.view()[0].state == JobState::running);
+  counting.wait_for(before + 20);
+  jobs.cancel_all();
+  CHECK(finish(jobs).at(0).state == JobState::cancelled);
+}
+
+TEST_CASE("A paused job that is stopped ends at once, without going on") {
+  Jobs jobs;
+  Counting counting;
+  jobs.start("Count", counting.work());
+  counting.wait_for(20);
+  jobs.pause_all();
+  counting.wait_until_still();
+  const int before = counting.count;
+  const auto start = std::chrono::steady_clock::now();
+  jobs.cancel_all();
+  CHECK(jobs.view()[0].state == JobState::stopping);
+  CHECK(finish(jobs).at(0).state == JobState::cancelled);
+  CHECK(std::chrono::steady_clock::now() - start < 1s);
+  CHECK(counting.count <= before + 2);
+  Jobs also_when_the_list_goes;
+  also_when_the_list_goes.start("Wait", wait_for_stop);
+  also_when_the_list_goes.pause_all();
+}
+
+TEST_CASE("Neither the time of a job nor its estimate counts a pause, and the estimate is that of the step") {
+  Jobs jobs;
+  std::atomic<int> step = 0;
+  const JobId job = jobs.start("Steps", [&](const JobControl& control) -> Jobs::Apply {
+    control.progress(1, 2, "first");
+    while (step == 0 && !control.cancelled()) std::this_thread::sleep_for(1ms);
+    control.progress(1, 2, "second");
+    step = 2;
+    return wait_for_stop(control);
+  });
+  std::this_thread::sleep_for(1100ms);
+  jobs.pause(job);
+  const JobView before = jobs.view()[0];
+  std::this_thread::sleep_for(500ms);
+  const JobView after = jobs.view()[0];
+  CHECK(after.seconds == before.seconds);
+  REQUIRE(before.seconds_left);
+  CHECK(after.seconds_left == before.seconds_left);
+  jobs.resume(job);
+  CHECK(jobs.view()[0].seconds < before.seconds + 0.4);
+  step = 1;
+  while (step != 2) std::this_thread::sleep_for(1ms);
+  CHECK_FALSE(jobs.view()[0].seconds_left);  // the second step is not a second old
+  jobs.cancel_all();
+  finish(jobs);
+}
+
+TEST_CASE("A loop of many bodies with one name shows each of its runs from the beginning") {
+  Jobs jobs;
+  std::atomic<bool> again = false;
+  jobs.start("Loops", [&](const JobControl& control) -> Jobs::Apply {
+    control.progress(10, 10, "fitting");
+    control.progress(1, 10, "fitting");
+    again = true;
+    return wait_for_stop(control);
+  });
+  while (!again) std::this_thread::sleep_for(1ms);
+  CHECK(jobs.view()[0].done == 1);
+  jobs.cancel_all();
+  finish(jobs);
+}
+
+TEST_CASE("A paused job leaves other jobs their threads") {
+  Jobs jobs;
+  Counting counting;
+  jobs.start("Count", counting.work());
+  counting.wait_for(20);
+  jobs.pause_all();
+  counting.wait_until_still();
+  // Two bodies that wait for each other: with one thread they would wait in vain.
+  std::atomic<int> there = 0;
+  std::atomic<bool> met = false;
+  parallel_for(2, 2, {}, "meeting", [&](std::size_t) {
+    ++there;
+    for (int i = 0; i < 5000 && there < 2; ++i) std::this_thread::sleep_for(1ms);
+    if (there == 2) met = true;
+  });
+  CHECK(met);
 }

@@ -3,8 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <set>
+#include <thread>
 
 #include "core/base/error.h"
 #include "core/session/import_shapes.h"
@@ -21,8 +24,9 @@ struct Chairs {
   ScratchFolder folder;
   Project project = Project::in_memory();
 
-  explicit Chairs(std::size_t count) {
+  explicit Chairs(std::size_t count, bool on_disk = false) {
     write_chairs(folder.path(), count);
+    if (on_disk) project = Project::create(folder.path() / "chairs.archetype");
     import({folder.path() / "shapes"});
   }
   void import(const std::vector<std::filesystem::path>& paths, int points = 150) {
@@ -141,8 +145,108 @@ TEST_CASE("what another program left as the state of learning is not gone on fro
   for (const char* state : {"", "{", "[]", R"({"request":1})", R"({"request":"x","settled":"y"})"}) {
     chairs.project.set_setting(std::string(learn_state_setting), state);
     CHECK_NOTHROW(learning_start(chairs.project));
+    CHECK_FALSE(learning_record(chairs.project));
     CHECK(chairs.learn(1).steps.size() == 1);
   }
+}
+
+TEST_CASE(
+    "what a project tells of its learning: which templates, of which lines, and which shapes take them") {
+  Chairs chairs(20);
+  CHECK_FALSE(learning_record(chairs.project));
+  const LearnReport report = chairs.learn();
+  const std::optional<LearningRecord> record = learning_record(chairs.project);
+  REQUIRE(record);
+  CHECK(record->settled);
+  CHECK(record->start == std::vector{Chairs::start()});
+  CHECK(record->judging.size() == 8);
+  REQUIRE(record->steps.size() == report.steps.size());
+  for (const LearningStep& step : record->steps) {
+    REQUIRE(step.lines.size() == step.templates.size());
+    CHECK(step.taken.size() == record->judging.size());
+    std::vector<std::size_t> members(step.templates.size());
+    for (const std::size_t t : step.taken) ++members.at(t);
+    CHECK(std::ranges::count(members, 0U) == 0);  // those without members are dropped
+    for (const TemplateId id : step.templates)
+      CHECK(std::ranges::count(record->templates, id, &TemplateRecord::id) == 1);
+    for (const std::size_t line : step.lines) CHECK(record->lines.at(line).born <= step.iteration);
+  }
+  // Re-estimated, it is another template of the same line.
+  CHECK(record->steps[0].lines[0] == 0);
+  CHECK_FALSE(record->lines[0].parent);
+  std::vector<TemplateId> current;
+  for (const TemplateRecord& each : chairs.project.templates()) current.push_back(each.id);
+  CHECK(record->steps.back().templates == current);
+}
+
+TEST_CASE("a state of learning with indices that lead nowhere is none") {
+  Chairs chairs(4);
+  chairs.learn(1);
+  const std::string good = *chairs.project.setting(std::string(learn_state_setting));
+  const nlohmann::json sound = nlohmann::json::parse(good);
+  const auto is_read = [&](const nlohmann::json& state) {
+    chairs.project.set_setting(std::string(learn_state_setting), state.dump());
+    return learning_record(chairs.project).has_value();
+  };
+  CHECK(is_read(sound));
+  const std::pair<const char*, nlohmann::json> changes[]{{"/steps/0/taken/0", 99},
+                                                         {"/steps/0/taken/0", -1},
+                                                         {"/steps/0/taken/0", 0.5e300},
+                                                         {"/steps/0/taken", {0}},
+                                                         {"/steps/0/lines", {7}},
+                                                         {"/steps/0/lines", nlohmann::json::array()},
+                                                         {"/steps/0/templates", {12345}},
+                                                         {"/templates", {12345}},
+                                                         {"/lines", nlohmann::json::array()},
+                                                         {"/lines/0/parent", 0},
+                                                         {"/lines/0/born", "x"},
+                                                         {"/judging", {1}},
+                                                         {"/start", nlohmann::json::array()},
+                                                         {"/steps/0/energy", nullptr},
+                                                         {"/initial", nlohmann::json::array()}};
+  for (const auto& [where, what] : changes) {
+    CAPTURE(where);
+    nlohmann::json state = sound;
+    state[nlohmann::json::json_pointer(where)] = what;
+    CHECK_FALSE(is_read(state));
+    CHECK_NOTHROW(learning_start(chairs.project));
+  }
+  // What was stored before there were lines: learning starts over.
+  nlohmann::json old = sound;
+  old.erase("lines");
+  old.erase("judging");
+  old["steps"][0]["templates"] = 1;
+  CHECK_FALSE(is_read(old));
+  CHECK(chairs.learn(1).steps.size() == 1);
+  CHECK(learning_record(chairs.project));
+}
+
+TEST_CASE("a paused learning lets others write, and ends as if it had not been paused") {
+  Chairs whole(20, true);
+  whole.learn();
+  Chairs chairs(20, true);
+  const auto gate = std::make_shared<PauseGate>();
+  std::atomic<bool> in_round = false;
+  JobControl control;
+  control.stop = {std::stop_source().get_token(), gate};
+  control.report = [&](std::size_t, std::size_t, std::string_view what) {
+    if (what.find("round 2") == std::string_view::npos || in_round.exchange(true)) return;
+    gate->close();
+  };
+  std::jthread learning([&] { chairs.learn(10, false, control); });
+  for (int i = 0; i < 60'000 && !in_round; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  REQUIRE(in_round);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  {
+    Project other = Project::open(chairs.project.path());
+    CHECK_NOTHROW(other.set_setting("note", "written meanwhile"));
+    CHECK(learning_record(other)->steps.size() == 1);  // the whole round can be seen
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    CHECK(learning_record(other)->steps.size() == 1);
+  }
+  gate->open();
+  learning.join();
+  CHECK(chairs.learned() == whole.learned());
 }
 
 TEST_CASE("learning needs a template and a shape") {

@@ -92,19 +92,43 @@ TEST_CASE("Learning is a job whose result is one step that can be undone") {
   CHECK(window.studio().history.committed() == before);
 }
 
-TEST_CASE("A suggested template is taken by a click on its picture") {
+TEST_CASE("A suggested template is chosen by a click or the arrows, and taken by Enter or a double click") {
   TestWindow window;
   window.open_chairs(3);
   REQUIRE(run_command(window.studio(), "suggest-templates", {}));
   window.settle();
   REQUIRE_FALSE(window.studio().ui.suggestions.empty());
   CHECK(window.studio().ui.show_suggestions);
+  const std::vector<Suggestion>& suggestions = window.studio().ui.suggestions;
+  for (const Suggestion& each : suggestions) {
+    REQUIRE(each.source);  // each shows the shape that it was made of
+    CHECK(each.source->fit.parts.size() == each.found.part_template.parts.size());
+  }
+  const auto shape = window.studio().ui.shape;
   window.click("suggestion:1");
+  CHECK(window.studio().ui.show_suggestions);
+  CHECK(window.studio().history.committed().templates.empty());
+  const std::size_t last = suggestions.size() - 1;
+  for (std::size_t i = 0; i < last; ++i) {
+    window.key("Right");  // not for the collection
+    window.field_key(ImGuiKey_RightArrow);
+  }
+  CHECK(window.studio().ui.shape == shape);
+  CHECK(window.studio().ui.chosen_suggestion == last);
+  window.field_key(ImGuiKey_Enter);
   window.settle();
   CHECK_FALSE(window.studio().ui.show_suggestions);
-  const PartTemplate* active = window.studio().history.committed().active_template();
-  REQUIRE(active);
-  CHECK(active->parts == window.studio().ui.suggestions[0].part_template.parts);
+  const auto active = [&] { return window.studio().history.committed().active_template(); };
+  REQUIRE(active());
+  CHECK(active()->parts == suggestions[last].found.part_template.parts);
+  REQUIRE(run_command(window.studio(), "show-suggestions", {}));
+  window.frames(3);
+  window.double_click("suggestion:1");
+  CHECK_FALSE(window.studio().ui.show_suggestions);
+  CHECK(active()->parts == suggestions[0].found.part_template.parts);
+  REQUIRE(run_command(window.studio(), "show-suggestions", {}));
+  window.key("Escape");
+  CHECK_FALSE(window.studio().ui.show_suggestions);
 }
 
 TEST_CASE("What was edited is there again when the folder is opened again") {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/session/actions.h"
+#include "tests/ui/made_learning.h"
 #include "tests/ui/test_window.h"
 #include "ui/panels.h"
 
@@ -34,6 +35,7 @@ void make_large_document(TestWindow& window) {
     fit.energy.features = 1.0 / static_cast<double>(id);
     rows.rows.push_back({id, "shape_" + std::to_string(id), 1000, {}, fit});
   }
+  rows.learning = std::make_shared<const LearningRecord>(test::made_learning(30, 12, 100));
   ++window.studio().collection.revision;
   for (int i = 0; i < 2000; ++i) window.studio().messages.warn("message " + std::to_string(i));
   window.studio().ui.part = 100;
@@ -114,6 +116,15 @@ TEST_CASE("Everything in the window can be clicked: ten thousand shapes and two 
   for (const Target& target : window.studio().targets) cells += target.name.starts_with("cell:");
   CHECK(cells > 3);
   CHECK(cells < 100);  // only those in sight
+  click_everything(window);
+}
+
+TEST_CASE("Everything in the window can be clicked: a long learning of many templates") {
+  TestWindow window;
+  make_large_document(window);
+  REQUIRE(run_command(window.studio(), "show-learning", {}));
+  window.frames(4);
+  CHECK(window.has("learned:30:1"));  // the newest round is in sight
   click_everything(window);
 }
 
