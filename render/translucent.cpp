@@ -22,24 +22,35 @@ glm::u8vec4 rgba(const Rgb& colour, float opacity) {
           static_cast<std::uint8_t>(std::lround(255 * std::clamp(opacity, 0.F, 1.F)))};
 }
 
+// Each face of the box as a grid of fields, bent onto the solid that stands for it.
 void add_box(const SceneBox& item, const Camera& camera, std::vector<SortedTriangle>& triangles) {
   const glm::u8vec4 colour = rgba(item.colour, item.fill);
+  const int fields = item.box.solid == Solid::box ? 1 : 8;
+  const auto place = [&](const Vec3& on_box) { return item.box.to_world(on_solid(item.box.solid, on_box)); };
   for (int axis = 0; axis < 3; ++axis)
-    for (const double side : {-1.0, 1.0}) {
-      Vec3 middle = Vec3::Zero();
-      middle[axis] = side;
-      const glm::vec3 normal(to_glm(Vec3(item.box.orientation * middle)));
-      std::array<FaceVertex, 4> corners;
-      for (std::size_t i = 0; i < 4; ++i) {
-        Vec3 local = middle;
-        local[(axis + 1) % 3] = i == 0 || i == 3 ? -1 : 1;
-        local[(axis + 2) % 3] = i < 2 ? -1 : 1;
-        corners[i] = {glm::vec3(to_glm(item.box.to_world(local))), normal, colour};
+    for (const double side : {-1.0, 1.0})
+      for (int field = 0; field < fields * fields; ++field) {
+        const int row = field / fields;
+        const int column = field % fields;
+        Vec3 middle;
+        middle[axis] = side;
+        middle[(axis + 1) % 3] = (2.0 * column + 1) / fields - 1;
+        middle[(axis + 2) % 3] = (2.0 * row + 1) / fields - 1;
+        std::array<Vec3, 4> places;
+        for (std::size_t i = 0; i < 4; ++i) {
+          Vec3 on_box = middle;
+          on_box[(axis + 1) % 3] += (i == 0 || i == 3 ? -1.0 : 1.0) / fields;
+          on_box[(axis + 2) % 3] += (i < 2 ? -1.0 : 1.0) / fields;
+          places[i] = place(on_box);
+        }
+        const Vec3 across = (places[2] - places[0]).cross(places[3] - places[1]);
+        const glm::vec3 normal(to_glm(Vec3(side * across.normalized())));
+        std::array<FaceVertex, 4> corners;
+        for (std::size_t i = 0; i < 4; ++i) corners[i] = {glm::vec3(to_glm(places[i])), normal, colour};
+        const double depth = view_depth(camera, to_glm(place(middle)));
+        triangles.push_back({depth, {corners[0], corners[1], corners[2]}});
+        triangles.push_back({depth, {corners[0], corners[2], corners[3]}});
       }
-      const double depth = view_depth(camera, to_glm(item.box.to_world(middle)));
-      triangles.push_back({depth, {corners[0], corners[1], corners[2]}});
-      triangles.push_back({depth, {corners[0], corners[2], corners[3]}});
-    }
 }
 
 void add_ellipsoid(const SceneEllipsoid& item, const Camera& camera, std::vector<SortedTriangle>& triangles) {
@@ -67,17 +78,26 @@ void add_ellipsoid(const SceneEllipsoid& item, const Camera& camera, std::vector
     }
 }
 
+// The edges of a box, bent onto the solid that stands for it: the rims of a cylinder, six fields of an
+// ellipsoid.
 void add_outline(const SceneBox& item, std::vector<LineInstance>& lines) {
+  const int pieces = item.box.solid == Solid::box ? 1 : 12;
+  const auto place = [&](const Vec3& on_box) {
+    return glm::vec3(to_glm(item.box.to_world(on_solid(item.box.solid, on_box))));
+  };
   for (int axis = 0; axis < 3; ++axis)
     for (int edge = 0; edge < 4; ++edge) {
       Vec3 from;
       from[axis] = -1;
       from[(axis + 1) % 3] = (edge & 1) != 0 ? 1 : -1;
       from[(axis + 2) % 3] = (edge & 2) != 0 ? 1 : -1;
-      Vec3 to = from;
-      to[axis] = 1;
-      lines.push_back({glm::vec3(to_glm(item.box.to_world(from))), glm::vec3(to_glm(item.box.to_world(to))),
-                       rgba(item.outline.value_or(item.colour), 1), item.outline_width, item.dash});
+      for (int piece = 0; piece < pieces; ++piece) {
+        Vec3 to = from;
+        to[axis] = 2.0 * (piece + 1) / pieces - 1;
+        lines.push_back({place(from), place(to), rgba(item.outline.value_or(item.colour), 1),
+                         item.outline_width, item.dash});
+        from = to;
+      }
     }
 }
 

@@ -22,7 +22,7 @@ void match(const PlacedSamples& samples, std::span<const std::int16_t> labels, s
         match = Correspondences::none;
         continue;
       }
-      const Vec3 q = boxes[k].to_world(surface.local[t]);
+      const Vec3 q = boxes[k].to_world(on_solid(boxes[k].solid, surface.local[t]));
       const Vec3 p = turn_quarters(q + samples.translation, samples.yaw_quarters);
       match = samples.tree->nearest_labelled(p, labels, static_cast<std::int16_t>(k),
                                              match == Correspondences::none ? member[k] : match);

@@ -114,7 +114,8 @@ Vec3 rigid_step(const MatchedShape& shape, std::span<const Box> boxes) {
     for (auto t = shape.surface->begins[k]; t < shape.surface->begins[k + 1]; ++t) {
       const auto i = shape.matches->on_shape[t];
       if (i == Correspondences::none) break;
-      sum += template_weight * (boxes[k].to_world(shape.surface->local[t]) - shape.points[i]);
+      const Vec3 on_template = boxes[k].to_world(on_solid(boxes[k].solid, shape.surface->local[t]));
+      sum += template_weight * (on_template - shape.points[i]);
       weight += template_weight;
     }
   }
@@ -139,7 +140,8 @@ void deformation_step(const MatchedShape& shape, const PartTemplate& part_templa
     for (auto t = shape.surface->begins[k]; t < shape.surface->begins[k + 1]; ++t) {
       const auto i = shape.matches->on_shape[t];
       if (i == Correspondences::none) break;
-      sums[k].add(template_weight, shape.surface->local[t], axes[k] * shape.points[i]);
+      const Vec3 on_template = on_solid(boxes[k].solid, shape.surface->local[t]);
+      sums[k].add(template_weight, on_template, axes[k] * shape.points[i]);
     }
   }
   for (std::size_t k = 0; k < boxes.size(); ++k) {

@@ -8,11 +8,7 @@
 
 namespace archetype {
 
-namespace {
-
-// Equation 6 for one part. Differs from the paper: Student's t in place of a Gaussian, since a shape that is
-// stretched as a whole (a bench, from a chair) moves all parts by many deviations at once.
-double deformation(const TemplatePart& part, const Box& box, const FitOptions& options) {
+double part_deformation(const TemplatePart& part, const Box& box, const FitOptions& options) {
   const double tail = options.deformation_tail;
   const Mat3 axes = box.orientation.conjugate().toRotationMatrix();
   const Vec3 precision = axes.cwiseAbs2() * part.position.stddev.cwiseAbs2().cwiseInverse();
@@ -29,8 +25,6 @@ double deformation(const TemplatePart& part, const Box& box, const FitOptions& o
   }
   return sum;
 }
-
-}  // namespace
 
 FitEnergy fit_energy(const MatchedShape& shape, const PartTemplate& part_template, std::span<const Box> boxes,
                      std::span<const double> features, const LabellingGraph& graph,
@@ -68,10 +62,10 @@ FitEnergy fit_energy(const MatchedShape& shape, const PartTemplate& part_templat
       if (part.must_exist) energy.existence += missing_must_exist_energy;
       continue;
     }
-    energy.deformation += options.alpha * deformation(part, boxes[k], options);
+    energy.deformation += options.alpha * part_deformation(part, boxes[k], options);
     for (auto t = shape.surface->begins[k]; t < shape.surface->begins[k + 1]; ++t) {
-      to_shape += (boxes[k].to_world(shape.surface->local[t]) - shape.points[shape.matches->on_shape[t]])
-                      .squaredNorm();
+      const Vec3 on_template = boxes[k].to_world(on_solid(boxes[k].solid, shape.surface->local[t]));
+      to_shape += (on_template - shape.points[shape.matches->on_shape[t]]).squaredNorm();
     }
   }
   energy.template_to_shape = to_shape / (static_cast<double>(shape.surface->local.size()) * unit);

@@ -13,6 +13,10 @@ namespace archetype {
 // Differs from the paper: not infinite, so that fits without it can still be told apart and written to files.
 inline constexpr double missing_must_exist_energy = 1000.0;
 
+// Equation 6 for one part, without alpha. Differs from the paper: Student's t in place of a Gaussian, since a
+// shape that is stretched as a whole (a bench, from a chair) moves all parts by many deviations at once.
+double part_deformation(const TemplatePart& part, const Box& box, const FitOptions& options);
+
 // features: as feature_costs() gives them.
 FitEnergy fit_energy(const MatchedShape& shape, const PartTemplate& part_template, std::span<const Box> boxes,
                      std::span<const double> features, const LabellingGraph& graph,

@@ -15,8 +15,10 @@ double mean_squared_distance_to_shape(const MatchedShape& shape, const Box& box,
   const auto begin = shape.surface->begins[part];
   const auto end = shape.surface->begins[part + 1];
   double sum = 0;
-  for (auto t = begin; t < end; ++t)
-    sum += (box.to_world(shape.surface->local[t]) - shape.points[shape.matches->on_shape[t]]).squaredNorm();
+  for (auto t = begin; t < end; ++t) {
+    const Vec3 on_template = box.to_world(on_solid(box.solid, shape.surface->local[t]));
+    sum += (on_template - shape.points[shape.matches->on_shape[t]]).squaredNorm();
+  }
   return sum / ((end - begin) * shape.unit * shape.unit);
 }
 

@@ -16,6 +16,7 @@ struct FitOptions {
   double alpha = 0.005;          // weight of the deformation, summed over parts and axes
   double deformation_tail = 16;  // in variances: deviations beyond it count less and less
   double turn_stddev = 0.2;      // of the rotation of a box against its template's, in radians; 0: none
+  double round_share = 0.8;      // see choose_solids(); 0: all parts are boxes
   double beta = 0.15;            // weight of smoothness
   double gamma = 0.5;            // weight of features
   double null_cost = 5.0;        // distance and feature cost of a point without a part

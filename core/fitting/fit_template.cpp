@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/fitting/choose_solids.h"
 #include "core/fitting/deformation.h"
 #include "core/fitting/energy.h"
 #include "core/fitting/evidence.h"
@@ -70,13 +71,20 @@ class Fitter {
   std::vector<Alternation> start_all() const;
   // One alternation; sets `ended` when there is nothing more to gain.
   void advance(Alternation& run);
+  // Goes on with round solids in the boxes of a run that has ended, where they are clearly better.
+  bool take_round_solids(Alternation& run);
   // The present part with the least evidence, if it is better left out.
   std::optional<std::size_t> unfounded_part(const Alternation& run);
   // The same state with one part less, its box back at the mean, to be advanced anew.
   Alternation without(const Alternation& run, std::size_t part) const;
 
  private:
+  // The state that the run's fit is of, matched.
+  Alternation as_fitted(const Alternation& run);
   void place(const Alternation& run);
+  void match_placed(const Alternation& run, std::span<const Box> boxes, Correspondences& matches) const {
+    match({&tree_, points_, run.fit.yaw_quarters, run.translation}, run.labels, boxes, surface_, matches);
+  }
   void label(const Alternation& run, std::span<const double> features, std::vector<std::int16_t>& labels);
   std::span<const double> features_of(int yaw);
 
@@ -164,7 +172,7 @@ void Fitter::advance(Alternation& run) {
   const std::span<const double> features = features_of(yaw);
   place(run);
   label(run, features, run.labels);
-  match({&tree_, points_, yaw, run.translation}, run.labels, run.boxes, surface_, run.matches);
+  match_placed(run, run.boxes, run.matches);
   const MatchedShape shape{points_, run.labels, &surface_, &run.matches, unit_};
   const FitEnergy energy = fit_energy(shape, template_, run.boxes, features, graph_, options_);
   // The labelling cannot see E_t->s (its matches are only defined once all points have labels), so an
@@ -211,13 +219,33 @@ Alternation Fitter::without(const Alternation& run, std::size_t part) const {
   return next;
 }
 
-std::optional<std::size_t> Fitter::unfounded_part(const Alternation& run) {
+Alternation Fitter::as_fitted(const Alternation& run) {
   std::vector<Box> boxes;
   for (const FittedPart& fitted : run.fit.parts) boxes.push_back(fitted.box);
   Alternation at = start(run.fit.yaw_quarters, run.fit.translation, std::move(boxes), run.fit.labels);
   at.matches = run.matches;
   place(at);
-  match({&tree_, points_, at.fit.yaw_quarters, at.translation}, at.labels, at.boxes, surface_, at.matches);
+  match_placed(at, at.boxes, at.matches);
+  return at;
+}
+
+bool Fitter::take_round_solids(Alternation& run) {
+  const Alternation at = as_fitted(run);
+  const MatchedShape shape{points_, at.labels, &surface_, &at.matches, unit_};
+  const auto match_boxes = [&](std::span<const Box> boxes, Correspondences& matches) {
+    match_placed(at, boxes, matches);
+  };
+  auto boxes = choose_solids(shape, template_, at.boxes, options_, match_boxes);
+  if (!boxes) return false;
+  run.boxes = std::move(*boxes);
+  run.labels = at.labels;
+  run.translation = at.translation;
+  run.ended = false;
+  return true;
+}
+
+std::optional<std::size_t> Fitter::unfounded_part(const Alternation& run) {
+  const Alternation at = as_fitted(run);
   label_costs(points_, at.boxes, features_of(at.fit.yaw_quarters), unit_, options_, costs_);
   const std::vector<double> evidence = part_evidence({points_, at.labels, &surface_, &at.matches, unit_},
                                                      template_, at.boxes, costs_, options_);
@@ -226,14 +254,15 @@ std::optional<std::size_t> Fitter::unfounded_part(const Alternation& run) {
   return static_cast<std::size_t>(least - evidence.begin());
 }
 
-// Advances a run until it ends, then goes on without the parts that the shape gives no evidence for, one
-// after the other. False when cancelled.
+// Advances a run until it ends, goes on with what is round, and then without the parts that the shape gives
+// no evidence for, one after the other. False when cancelled.
 template <typename Advance>
 bool run_to_end(Fitter& fitter, Alternation& run, const FitOptions& options, const JobControl& control,
                 const Advance& advance) {
-  for (;;) {
+  for (bool all_boxes = true;; all_boxes = false) {
     while (!run.ended && !control.cancelled()) advance(run);
     if (control.cancelled()) return false;
+    if (all_boxes && fitter.take_round_solids(run)) continue;
     if (!options.drop_parts) return true;
     const std::optional<std::size_t> part = fitter.unfounded_part(run);
     if (!part) return true;

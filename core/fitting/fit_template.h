@@ -18,7 +18,8 @@ struct FitRecording {
 };
 
 // Alternates labelling, correspondences, rigid and deformation steps from each candidate yaw until the labels
-// stop changing, takes the yaw with the least energy, and goes on there without the parts that the shape
+// stop changing, takes the yaw with the least energy, goes on there with round solids in the boxes of parts
+// that are round on this shape (choose_solids.h), and then without the parts that the shape
 // gives no evidence for (evidence.h), one after the other; the energy may rise when a part goes. The template
 // needs at least one part; the samples at least one point. A cancelled fit returns nothing. `recording`, if
 // given, receives the alternations of the winning yaw. Deterministic; about 10 ms for 1,000 samples, 8 parts

@@ -11,12 +11,14 @@ namespace archetype {
 BoxDistance::BoxDistance(const Box& box)
     : centre(box.centre),
       half_extent(box.half_extent),
+      solid(box.solid),
       to_axes(box.orientation.conjugate().toRotationMatrix()),
       turned(!to_axes.isIdentity(1e-12)) {}
 
 double BoxDistance::squared(const Vec3& p) const {
   Vec3 d = p - centre;
   if (turned) d = to_axes * d;
+  if (solid != Solid::box) return (closest_on_solid(solid, half_extent, d) - d).squaredNorm();
   const Vec3 beyond = d.cwiseAbs() - half_extent;
   const double inside = beyond.maxCoeff();
   return inside < 0 ? inside * inside : beyond.cwiseMax(0.0).squaredNorm();

@@ -15,11 +15,12 @@ namespace archetype {
 // A box made ready for many distance queries.
 struct BoxDistance {
   explicit BoxDistance(const Box& box);
-  // To the surface of the box: zero on it, growing inward and outward.
+  // To the surface of its solid: zero on it, growing inward and outward.
   double squared(const Vec3& p) const;
 
   Vec3 centre;
   Vec3 half_extent;
+  Solid solid;
   Mat3 to_axes;  // from the template's axes to the box's own
   bool turned;
 };

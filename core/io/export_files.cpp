@@ -101,9 +101,29 @@ std::string parts_rows(const std::string& template_name, const PartTemplate& par
   return rows;
 }
 
+namespace {
+
+std::string name_of(Solid solid) {
+  switch (solid) {
+    case Solid::box:
+      break;
+    case Solid::cylinder_x:
+      return "cylinder_x";
+    case Solid::cylinder_y:
+      return "cylinder_y";
+    case Solid::cylinder_z:
+      return "cylinder_z";
+    case Solid::ellipsoid:
+      return "ellipsoid";
+  }
+  return "box";
+}
+
+}  // namespace
+
 std::string boxes_header() {
   return "shape,part,present,centre_x,centre_y,centre_z,half_x,half_y,half_z,"
-         "orientation_w,orientation_x,orientation_y,orientation_z\n";
+         "orientation_w,orientation_x,orientation_y,orientation_z,solid\n";
 }
 
 std::string boxes_rows(const std::string& shape, const ShapeFrame& frame, const ShapeFit& fit) {
@@ -121,7 +141,7 @@ std::string boxes_rows(const std::string& shape, const ShapeFrame& frame, const 
     append(rows, Vec3(part.box.half_extent / frame.scale));
     for (const double q : {orientation.w(), orientation.x(), orientation.y(), orientation.z()})
       append(rows, q);
-    rows += '\n';
+    rows += ',' + name_of(part.box.solid) + '\n';
   }
   return rows;
 }

@@ -22,7 +22,8 @@ std::string fits_row(const std::string& shape, const std::string& part_template,
 std::string parts_header();
 std::string parts_rows(const std::string& template_name, const PartTemplate& part_template);
 
-// Boxes in the file coordinates of the shape, also of parts that are absent (their mean boxes).
+// Boxes in the file coordinates of the shape, also of parts that are absent (their mean boxes), and which
+// solid of the same volume a part is instead.
 std::string boxes_header();
 std::string boxes_rows(const std::string& shape, const ShapeFrame& frame, const ShapeFit& fit);
 

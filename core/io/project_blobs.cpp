@@ -120,7 +120,7 @@ std::vector<Vec3> read_vectors(Reader& in, std::size_t count) {
 }
 
 void write_part(Writer& out, const FittedPart& part) {
-  out.integer<std::uint8_t>(part.present ? 1 : 0);
+  out.integer(static_cast<std::uint8_t>((part.present ? 1 : 0) + 2 * static_cast<int>(part.box.solid)));
   out.vector(part.box.centre);
   out.vector(part.box.half_extent);
   const Eigen::Vector4d& q = part.box.orientation.coeffs();
@@ -129,7 +129,10 @@ void write_part(Writer& out, const FittedPart& part) {
 
 FittedPart read_part(Reader& in) {
   FittedPart part;
-  part.present = in.integer<std::uint8_t>() != 0;
+  const auto state = in.integer<std::uint8_t>();  // versions without solids wrote 0 or 1
+  if (state / 2 > static_cast<int>(Solid::ellipsoid)) throw BadBlob("it has a solid that is none");
+  part.present = state % 2 != 0;
+  part.box.solid = static_cast<Solid>(state / 2);
   part.box.centre = in.vector();
   part.box.half_extent = in.vector();
   Eigen::Vector4d q;

@@ -8,14 +8,16 @@ namespace archetype {
 
 std::vector<std::pair<std::string, double>> named_options(const FitOptions& options) {
   // Taken apart by position, so that an option which is added there and forgotten here does not compile.
-  const auto& [distance_unit, alpha, deformation_tail, turn_stddev, beta, gamma, null_cost, feature_clip,
-               existence_weight, graph_neighbours, face_smoothness, crease_reach, face_core, face_neighbours,
-               template_points, yaw_costs, max_alternations, drop_parts, odds_weight, expansion] = options;
+  const auto& [distance_unit, alpha, deformation_tail, turn_stddev, round_share, beta, gamma, null_cost,
+               feature_clip, existence_weight, graph_neighbours, face_smoothness, crease_reach, face_core,
+               face_neighbours, template_points, yaw_costs, max_alternations, drop_parts, odds_weight, expansion] =
+      options;
   const auto& [prune] = expansion;
   return {{"distance_unit", distance_unit},
           {"alpha", alpha},
           {"deformation_tail", deformation_tail},
           {"turn_stddev", turn_stddev},
+          {"round_share", round_share},
           {"beta", beta},
           {"gamma", gamma},
           {"null_cost", null_cost},

@@ -43,6 +43,7 @@ void check_equal(const ShapeFit& a, const ShapeFit& b) {
     CHECK(a.parts[i].present == b.parts[i].present);
     CHECK(a.parts[i].box.centre == b.parts[i].box.centre);
     CHECK(a.parts[i].box.half_extent == b.parts[i].box.half_extent);
+    CHECK(a.parts[i].box.solid == b.parts[i].box.solid);
     CHECK(a.parts[i].box.orientation.coeffs() == b.parts[i].box.orientation.coeffs());
   }
 }

@@ -46,7 +46,8 @@ ShapeFit sample_fit(std::size_t sample_count) {
   fit.yaw_quarters = 3;
   fit.translation = {0.1, 0.2, -0.3};
   fit.parts.resize(2);
-  fit.parts[0] = {true, {{0, 0.1, 0}, {1, 0.1, 1}, Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5)}};
+  fit.parts[0] = {true,
+                  {{0, 0.1, 0}, {1, 0.1, 1}, Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5), Solid::cylinder_y}};
   for (std::size_t i = 0; i < sample_count; ++i) fit.labels.push_back(static_cast<std::int16_t>(i % 3) - 1);
   fit.energy = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
   fit.alternations = 12;

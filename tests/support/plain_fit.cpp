@@ -6,7 +6,9 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <limits>
+#include <optional>
 
+#include "core/fitting/choose_solids.h"
 #include "core/fitting/deformation.h"
 #include "core/fitting/energy.h"
 #include "core/fitting/evidence.h"
@@ -87,7 +89,7 @@ void plain_match(std::span<const Vec3> points, std::span<const std::int16_t> lab
   }
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     for (auto t = surface.begins[k]; t < surface.begins[k + 1]; ++t) {
-      const Vec3 p = boxes[k].to_world(surface.local[t]);
+      const Vec3 p = boxes[k].to_world(on_solid(boxes[k].solid, surface.local[t]));
       double best = std::numeric_limits<double>::infinity();
       for (std::uint32_t i = 0; i < points.size(); ++i) {
         if (labels[i] != static_cast<std::int16_t>(k)) continue;
@@ -151,12 +153,13 @@ Step make_step(const Plain& plain, const ShapeFit& fit, std::span<const Box> box
   return step;
 }
 
-// The alternation from the given boxes at the yaw and translation of `start`.
+// The alternation from the given boxes at the yaw and translation of `start`; `start` itself if it has to
+// gain and its first step does not.
 ShapeFit alternate(const Plain& plain, const ShapeFit& start, std::vector<Box> boxes,
-                   const std::vector<bool>& dropped) {
+                   const std::vector<bool>& dropped, bool has_to_gain = false) {
   const std::size_t count = boxes.size() + 1;
   ShapeFit fit = start;
-  fit.energy.existence = std::numeric_limits<double>::infinity();
+  if (!has_to_gain) fit.energy.existence = std::numeric_limits<double>::infinity();
   ShapeFit next = start;
   for (int step = 0; step < plain.options.max_alternations; ++step) {
     Step at = make_step(plain, next, boxes, dropped);
@@ -185,6 +188,20 @@ ShapeFit alternate(const Plain& plain, const ShapeFit& start, std::vector<Box> b
     deformation_step(shape, plain.part_template, plain.options, boxes);
   }
   return fit;
+}
+
+// The boxes of a fit with round solids where they are better; nothing if there are none.
+std::optional<std::vector<Box>> rounded(const Plain& plain, const ShapeFit& fit) {
+  std::vector<Box> boxes;
+  for (const FittedPart& part : fit.parts) boxes.push_back(part.box);
+  const Step at = make_step(plain, fit, boxes, std::vector<bool>(boxes.size(), false));
+  const auto match = [&](std::span<const Box> tried, Correspondences& matches) {
+    plain_match(at.points, fit.labels, tried, plain.surface, matches);
+  };
+  Correspondences matches;
+  match(boxes, matches);
+  return choose_solids({at.points, fit.labels, &plain.surface, &matches, plain.unit}, plain.part_template,
+                       boxes, plain.options, match);
 }
 
 // The part with the least evidence, if that is below zero.
@@ -225,6 +242,7 @@ ShapeFit plain_fit(const PartTemplate& given, const ShapeSamples& samples, const
     least = std::min(mean.energy.total(), stretched.energy.total());
     best = stretched.energy.total() * stretch_handicap < mean.energy.total() ? stretched : mean;
   }
+  if (const auto boxes = rounded(plain, best)) best = alternate(plain, best, *boxes, dropped, true);
   while (options.drop_parts) {
     std::vector<Box> boxes;
     for (const FittedPart& part : best.parts) boxes.push_back(part.box);
