@@ -50,11 +50,25 @@ struct Alternation {
   std::vector<ShapeFit> steps;  // if they are wanted: the start and after each alternation
 };
 
+// Differs from the paper: a fit expects nothing more closely than this (normalised units). Spreads that were
+// learned from many shapes tell templates apart (template_choice.h), but would hold a shape that is a little
+// different so tightly that its labels follow the boxes instead of the surface.
+constexpr double least_position_stddev = 0.05;
+constexpr double least_scale_stddev = 0.025;
+
+PartTemplate loosened(PartTemplate part_template) {
+  for (TemplatePart& part : part_template.parts) {
+    part.position.stddev = part.position.stddev.cwiseMax(least_position_stddev);
+    part.scale.stddev = part.scale.stddev.cwiseMax(least_scale_stddev);
+  }
+  return part_template;
+}
+
 // What stays the same over yaws and alternations.
 class Fitter {
  public:
   Fitter(const PartTemplate& part_template, const ShapeSamples& samples, const FitOptions& options)
-      : template_(with_expected_features(part_template)),
+      : template_(loosened(with_expected_features(part_template))),
         samples_(samples),
         options_(options),
         tree_(samples.points),

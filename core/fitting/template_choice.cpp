@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/fitting/energy.h"
 #include "core/fitting/template_surface.h"
 
 namespace archetype {
@@ -38,9 +39,10 @@ double choice_energy(const ShapeFit& fit, const PartTemplate& part_template, con
     if (label != null_label)
       shares[static_cast<std::size_t>(label)] += 1 / static_cast<double>(fit.labels.size());
   }
-  double energy = fit.energy.total();
+  double energy = fit.energy.total() - fit.energy.deformation;
   for (std::size_t k = 0; k < shares.size(); ++k) {
     if (!fit.parts[k].present) continue;
+    energy += options.alpha * part_deformation(known.parts[k], fit.parts[k].box, options);
     energy += 2 * options.alpha * box_spread(known.parts[k]);
     energy += 2 * options.gamma / options.feature_clip * shares[k] * mean_feature_spread(known.parts[k]);
   }

@@ -12,19 +12,20 @@ struct LearnOptions {
   // tau times the least one. Differs from the paper, whose thresholds of 75 and 150 have an unknown unit.
   double learning_share = 0.7;
   double tau = 4;
+  std::size_t smallest_learning_set = 3;  // a template with fewer stays as it is
   // What was known before any shape was seen counts as much as this many shapes. Differs from the paper,
   // which has no prior: parts that few shapes have shrink to what the first fits made of them.
   double prior_shapes_of_means = 5;
   double prior_shapes_of_spreads = 20;
+  double smallest_spread_factor = 0.02;  // of the prior variances, see reestimate()
   double smallest_feature_spread = 0.25;
   // New parameters are taken if so many of the shapes fit better with them. Differs from the paper, which
   // takes whatever it finds: on vases the mean energy fell while half of the parts went astray.
   double agreeing_share = 0.9;
-  // A cluster becomes a template of its own with at least this share of the shapes that its parent was
-  // learned from, and this many.
+  // A template needs at least this share of the shapes that its parent had, and this many (the spread of
+  // fewer tells nothing: with 3, benches without a back become a style wherever there are three of them).
   double cluster_share = 0.05;
-  std::size_t smallest_cluster = 3;
-  double arrangement_noise = 0.05;  // normalised units: arrangements that differ by less are the same
+  std::size_t smallest_cluster = 5;
 };
 
 }  // namespace archetype

@@ -3,15 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "core/base/parallel.h"
 #include "core/fitting/agreed_yaws.h"
-#include "core/fitting/fit_template.h"
-#include "core/fitting/template_choice.h"
-#include "core/learning/arrangement_clusters.h"
 #include "core/learning/reestimate.h"
+#include "core/learning/sightings.h"
 
 namespace archetype {
 
@@ -21,12 +18,9 @@ namespace {
 constexpr double smallest_gain = 1e-3;
 
 // What a shape says of the template that it takes.
-struct Sighting {
+struct Taken {
   std::size_t part_template = 0;
-  double choice = std::numeric_limits<double>::infinity();
-  double energy = 0;
-  std::array<double, 4> yaw_energies{};
-  std::vector<PartObservation> parts;
+  Sighting seen;
 };
 
 class Round {
@@ -34,12 +28,14 @@ class Round {
   Round(std::span<const LearnedTemplate> templates, std::span<const ShapeSamples> judging,
         std::span<const ShapeSamples> others, const FitOptions& fit_options, const LearnOptions& options,
         unsigned threads, const JobControl& control)
-      : judging_(judging),
-        others_(others),
+      : judging_samples_(judging),
+        judging_(judging.size()),
         fit_options_(fit_options),
         options_(options),
         threads_(threads),
         control_(control) {
+    for (const ShapeSamples& each : judging) shapes_.push_back({&each, fit_options.yaw_costs});
+    for (const ShapeSamples& each : others) shapes_.push_back({&each, fit_options.yaw_costs});
     result_.templates.assign(templates.begin(), templates.end());
     for (std::size_t t = 0; t < templates.size(); ++t) result_.origins.push_back({t, false});
   }
@@ -53,59 +49,35 @@ class Round {
     }
     // A template that still moves would only spawn what it is about to become.
     for (std::size_t t = 0; t < count; ++t) {
-      if (!result_.origins[t].changed && !try_children(t)) return std::nullopt;
+      if (!result_.origins[t].changed && !try_split(t)) return std::nullopt;
     }
     drop_unused();
     result_.energy = mean_energy();
-    for (std::size_t i = 0; i < judging_.size(); ++i) result_.taken.push_back(taken_[i].part_template);
+    for (std::size_t i = 0; i < judging_; ++i) result_.taken.push_back(taken_[i].part_template);
     return std::move(result_);
   }
 
  private:
-  // All shapes, the judging ones first.
-  std::size_t shape_count() const { return judging_.size() + others_.size(); }
-  const ShapeSamples& shape(std::size_t i) const {
-    return i < judging_.size() ? judging_[i] : others_[i - judging_.size()];
-  }
-
-  // One template fitted to the first `count` shapes. False if cancelled.
-  bool fit(const PartTemplate& part_template, std::size_t t, std::size_t count,
-           std::vector<Sighting>& sightings) const {
-    sightings.assign(count, {});
-    const JobControl stop_only{control_.stop, control_.report};
-    return parallel_for(
-               count, threads_, stop_only, "learning",
-               [&](std::size_t i) {
-                 FitOptions options = fit_options_;
-                 if (!yaw_costs_.empty()) options.yaw_costs = yaw_costs_[i];
-                 const auto found = fit_template(part_template, shape(i), options, {control_.stop, {}});
-                 if (!found) return;
-                 const double yaw_cost = options.yaw_costs[static_cast<std::size_t>(found->yaw_quarters)];
-                 sightings[i] = {t, choice_energy(*found, part_template, options) + yaw_cost,
-                                 found->energy.total(), found->yaw_energies, observe_parts(*found, shape(i))};
-               }) &&
-           !control_.cancelled();
-  }
-
+  // Once to agree on the yaws, and once with what they cost then. False if cancelled.
   bool fit_all() {
-    if (!take_best(judging_.size())) return false;
+    if (!take_best(judging_)) return false;
     std::vector<std::array<double, 4>> energies;
-    for (const Sighting& each : taken_) energies.push_back(each.yaw_energies);
-    const AgreedYaws agreed(judging_, energies);
-    yaw_costs_.resize(shape_count());
-    return parallel_for(shape_count(), threads_, {control_.stop, {}}, "",
-                        [&](std::size_t i) { yaw_costs_[i] = agreed.costs(shape(i)); }) &&
-           take_best(shape_count());
+    for (const Taken& each : taken_) energies.push_back(each.seen.yaw_energies);
+    const AgreedYaws agreed(judging_samples_, energies);
+    return parallel_for(shapes_.size(), threads_, {control_.stop, {}}, "",
+                        [&](std::size_t i) { shapes_[i].yaw_costs = agreed.costs(*shapes_[i].samples); }) &&
+           take_best(shapes_.size());
   }
 
   // The best of all templates for each of the first `count` shapes. False if cancelled.
   bool take_best(std::size_t count) {
     taken_.assign(count, {});
+    const auto shapes = std::span(shapes_).first(count);
     for (std::size_t t = 0; t < result_.templates.size(); ++t) {
-      std::vector<Sighting> sightings;
-      if (!fit(result_.templates[t].part_template, t, count, sightings)) return false;
+      auto seen = sightings(result_.templates[t].part_template, shapes, fit_options_, threads_, control_);
+      if (!seen) return false;
       for (std::size_t i = 0; i < count; ++i) {
-        if (sightings[i].choice < taken_[i].choice) taken_[i] = std::move(sightings[i]);
+        if ((*seen)[i].choice < taken_[i].seen.choice) taken_[i] = {t, std::move((*seen)[i])};
       }
     }
     return true;
@@ -113,16 +85,16 @@ class Round {
 
   // Of the judging shapes, with what the parameters of the templates cost.
   double mean_energy() const {
-    if (judging_.empty()) return 0;
+    if (judging_ == 0) return 0;
     double sum = 0;
     std::vector<std::size_t> members(result_.templates.size(), 0);
-    for (std::size_t i = 0; i < judging_.size(); ++i) {
-      sum += taken_[i].choice;
+    for (std::size_t i = 0; i < judging_; ++i) {
+      sum += taken_[i].seen.choice;
       ++members[taken_[i].part_template];
     }
     for (std::size_t t = 0; t < members.size(); ++t)
       sum += cost(result_.templates[t].part_template, members[t]);
-    return sum / static_cast<double>(judging_.size());
+    return sum / static_cast<double>(judging_);
   }
 
   // The Bayesian information criterion: energies are negative log likelihoods in units of 2 alpha, and a free
@@ -133,14 +105,14 @@ class Round {
     const double free = 6 * m / (m + options_.prior_shapes_of_means + 1e-9) +
                         6 * m / (m + options_.prior_shapes_of_spreads + 1e-9);
     return fit_options_.alpha * free * static_cast<double>(part_template.parts.size()) *
-           std::log(static_cast<double>(judging_.size()));
+           std::log(static_cast<double>(judging_));
   }
 
   // The observations of the shapes that template `t` is learned from, the best fits first.
   std::vector<std::vector<PartObservation>> learning_set(std::size_t t) const {
     std::vector<const Sighting*> members;
-    for (const Sighting& each : taken_) {
-      if (each.part_template == t && !each.parts.empty()) members.push_back(&each);
+    for (const Taken& each : taken_) {
+      if (each.part_template == t) members.push_back(&each.seen);
     }
     std::ranges::stable_sort(members, {}, &Sighting::energy);
     std::vector<std::vector<PartObservation>> observed;
@@ -156,83 +128,68 @@ class Round {
   // False if cancelled.
   bool try_update(std::size_t t) {
     const auto observed = learning_set(t);
-    if (observed.size() < options_.smallest_cluster) return true;
+    if (observed.size() < options_.smallest_learning_set) return true;
     LearnedTemplate& learned = result_.templates[t];
     const PartTemplate proposal = reestimate(learned.initial, observed, options_);
-    std::vector<Sighting> sightings;
-    if (!fit(proposal, t, judging_.size(), sightings)) return false;
+    auto seen = sightings(proposal, std::span(shapes_).first(judging_), fit_options_, threads_, control_);
+    if (!seen) return false;
     double members = 0;
     double agreeing = 0;
     double gain = 0;
-    for (std::size_t i = 0; i < judging_.size(); ++i) {
+    for (std::size_t i = 0; i < judging_; ++i) {
       if (taken_[i].part_template != t) continue;
       members += 1;
-      agreeing += sightings[i].choice < taken_[i].choice ? 1 : 0;
-      gain += taken_[i].choice - sightings[i].choice;
+      agreeing += (*seen)[i].choice < taken_[i].seen.choice ? 1 : 0;
+      gain += taken_[i].seen.choice - (*seen)[i].choice;
     }
     if (members == 0 || agreeing < options_.agreeing_share * members || gain < smallest_gain * members)
       return true;
     learned.part_template = proposal;
     result_.origins[t].changed = true;
-    for (std::size_t i = 0; i < judging_.size(); ++i) {
-      if (taken_[i].part_template == t || sightings[i].choice < taken_[i].choice)
-        taken_[i] = std::move(sightings[i]);
+    for (std::size_t i = 0; i < judging_; ++i) {
+      if (taken_[i].part_template == t || (*seen)[i].choice < taken_[i].seen.choice)
+        taken_[i] = {t, std::move((*seen)[i])};
     }
     return true;
   }
 
-  // Templates for the clusters of the shapes that take `t`. Differs from the paper, which looks for them in
-  // the learning set: benches fit a chair badly, and that is what makes them a cluster. False if cancelled.
-  bool try_children(std::size_t t) {
-    std::vector<std::vector<PartObservation>> observed;
-    for (const Sighting& each : taken_) {
-      if (each.part_template == t && !each.parts.empty()) observed.push_back(each.parts);
+  // A second template for some of the shapes that take `t`. Differs from the paper, which looks for it in the
+  // learning set: benches fit a chair badly, and that is what makes them a cluster. False if cancelled.
+  bool try_split(std::size_t t) {
+    TemplateMembers members;
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      if (taken_[i].part_template != t) continue;
+      indices.push_back(i);
+      members.shapes.push_back(shapes_[i]);
+      members.seen.push_back(taken_[i].seen);
+      members.judging += i < judging_ ? 1 : 0;
     }
-    for (const auto& cluster : arrangement_clusters(observed, options_)) {
-      const auto share = options_.cluster_share * static_cast<double>(observed.size());
-      if (cluster.size() == observed.size() || static_cast<double>(cluster.size()) < share) continue;
-      std::vector<std::vector<PartObservation>> members;
-      members.reserve(cluster.size());
-      for (const std::size_t i : cluster) members.push_back(observed[i]);
-      if (!try_child(t, members)) return false;
-    }
+    if (indices.size() < 2 * options_.smallest_cluster) return true;
+    std::optional<TemplateSplit> split;
+    if (!split_template(result_.templates[t], members, fit_options_, options_, threads_, control_, split))
+      return false;
+    if (!split) return true;
+    const double costs = cost(split->child.part_template, split->judging_to_child) +
+                         cost(split->parent.part_template, members.judging - split->judging_to_child) -
+                         cost(result_.templates[t].part_template, members.judging);
+    const double needed = options_.agreeing_share * static_cast<double>(members.judging);
+    if (split->gain <= costs || static_cast<double>(split->agreeing) < needed) return true;
+    split->child.part_template.name = split->child.initial.name =
+        free_name(result_.templates[t].part_template.name);
+    result_.templates[t] = std::move(split->parent);
+    result_.origins[t].changed = true;
+    for (std::size_t m = 0; m < indices.size(); ++m)
+      taken_[indices[m]] = {split->to_child[m] ? result_.templates.size() : t, std::move(split->seen[m])};
+    result_.templates.push_back(std::move(split->child));
+    result_.origins.push_back({t, true});
     return true;
   }
 
-  bool try_child(std::size_t parent, std::vector<std::vector<PartObservation>> members) {
-    LearnedTemplate child;
-    child.initial = without_absent_parts(result_.templates[parent].initial, members);
-    child.part_template = reestimate(child.initial, members, options_);
-    child.part_template.name = child.initial.name = free_name(result_.templates[parent].part_template.name);
-    const std::size_t t = result_.templates.size();
-    std::vector<Sighting> sightings;
-    if (!fit(child.part_template, t, judging_.size(), sightings)) return false;
-    double gain = -cost(child.part_template, members.size());
-    std::size_t moved = 0;
-    bool parent_stays = false;
-    for (std::size_t i = 0; i < judging_.size(); ++i) {
-      if (sightings[i].choice < taken_[i].choice) {
-        gain += taken_[i].choice - sightings[i].choice;
-        ++moved;
-      } else if (taken_[i].part_template == parent) {
-        parent_stays = true;
-      }
-    }
-    // One that takes all shapes of its parent is no second template but an update, which try_update()
-    // refused.
-    if (gain <= 0 || moved < options_.smallest_cluster || !parent_stays) return true;
-    result_.templates.push_back(std::move(child));
-    result_.origins.push_back({parent, true});
-    for (std::size_t i = 0; i < judging_.size(); ++i) {
-      if (sightings[i].choice < taken_[i].choice) taken_[i] = std::move(sightings[i]);
-    }
-    return true;
-  }
-
-  // Children may have taken all shapes of their parent.
+  // Others may have taken all shapes of a template.
   void drop_unused() {
     std::vector<std::size_t> members(result_.templates.size(), 0);
-    for (std::size_t i = 0; i < judging_.size(); ++i) ++members[taken_[i].part_template];
+    for (std::size_t i = 0; i < judging_; ++i) ++members[taken_[i].part_template];
     std::vector<std::size_t> now(members.size(), 0);
     std::size_t kept = 0;
     for (std::size_t t = 0; t < members.size(); ++t) {
@@ -247,20 +204,7 @@ class Round {
     }
     result_.templates.resize(kept);
     result_.origins.resize(kept);
-    for (std::size_t i = 0; i < judging_.size(); ++i) taken_[i].part_template = now[taken_[i].part_template];
-  }
-
-  // A part that none of the shapes has is not a part of their template. Takes it out of `members` as well.
-  static PartTemplate without_absent_parts(const PartTemplate& initial,
-                                           std::vector<std::vector<PartObservation>>& members) {
-    PartTemplate result = initial;
-    for (std::size_t k = result.parts.size(); k-- > 0;) {
-      const auto has_it = [k](const auto& shape) { return shape[k].present; };
-      if (result.parts[k].must_exist || std::ranges::any_of(members, has_it)) continue;
-      result.parts.erase(result.parts.begin() + static_cast<std::ptrdiff_t>(k));
-      for (auto& shape : members) shape.erase(shape.begin() + static_cast<std::ptrdiff_t>(k));
-    }
-    return result;
+    for (std::size_t i = 0; i < judging_; ++i) taken_[i].part_template = now[taken_[i].part_template];
   }
 
   std::string free_name(const std::string& parent) const {
@@ -272,14 +216,14 @@ class Round {
     }
   }
 
-  std::span<const ShapeSamples> judging_;
-  std::span<const ShapeSamples> others_;
+  std::span<const ShapeSamples> judging_samples_;
+  std::vector<LearningShape> shapes_;  // the judging ones first
+  std::size_t judging_;
   const FitOptions& fit_options_;
   const LearnOptions& options_;
   unsigned threads_;
   const JobControl& control_;
-  std::vector<std::array<double, 4>> yaw_costs_;  // by shape, once the judging ones agree
-  std::vector<Sighting> taken_;                   // by shape: the best so far
+  std::vector<Taken> taken_;  // by shape: the best so far
   LearningRound result_;
 };
 

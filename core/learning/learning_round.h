@@ -9,15 +9,11 @@
 #include "core/base/job_control.h"
 #include "core/fitting/fit_options.h"
 #include "core/learning/learn_options.h"
+#include "core/learning/split_template.h"
 #include "core/model/part_template.h"
 #include "core/model/shape.h"
 
 namespace archetype {
-
-struct LearnedTemplate {
-  PartTemplate part_template;
-  PartTemplate initial;  // what learning began with: the prior of every re-estimation; has the same parts
-};
 
 // What became of one template in a round.
 struct TemplateOrigin {
@@ -37,13 +33,14 @@ struct LearningRound {
   bool changed() const;
 };
 
-// Fits `templates` to all shapes, re-estimates each from its learning set, and spawns templates for clusters
-// of other arrangements. `judging` decides what is kept: a re-estimated template if the share
-// options.agreeing_share of the shapes that take it fit better, a spawned one if it lowers the energy of the
-// set by more than its parameters cost. `others` are only learned from. Templates that no judging shape takes
-// are dropped. Nothing if cancelled. Deterministic whatever the number of threads; about 2 fits per template
-// and judging shape and one per other shape. Differs from the paper, which keeps every round's templates: so
-// learning can leave a collection worse.
+// Fits `templates` to all shapes, re-estimates each from its learning set, and divides those that stay as
+// they are where that gains (split_template.h). `judging` decides what is kept: a re-estimated template if
+// the share options.agreeing_share of the shapes that take it fit better, a division if as many do and if it
+// lowers the energy by more than its parameters cost. `others` are only learned from. The yaws of the judging
+// shapes are decided together (agreed_yaws.h). Templates that no judging shape takes are dropped. Nothing if
+// cancelled. Deterministic whatever the number of threads; about 3 fits per template and judging shape and
+// one per other shape, and those of the divisions, some 30 per shape. Differs from the paper, which keeps
+// every round's templates: so learning can leave a collection worse.
 std::optional<LearningRound> learning_round(std::span<const LearnedTemplate> templates,
                                             std::span<const ShapeSamples> judging,
                                             std::span<const ShapeSamples> others,

@@ -21,16 +21,38 @@ struct Estimate {
     sum += value;
     square += value.cwiseAbs2();
   }
-  Gaussian3 posterior(const Gaussian3& prior, const LearnOptions& options) const {
-    const double m = options.prior_shapes_of_means;
-    const double s = options.prior_shapes_of_spreads;
-    Gaussian3 result;
-    result.mean = (m * prior.mean + sum) / (m + count);
-    const Vec3 scatter = square - 2 * sum.cwiseProduct(result.mean) + count * result.mean.cwiseAbs2();
-    result.stddev = ((s * prior.stddev.cwiseAbs2() + scatter.cwiseMax(0.0)) / (s + count)).cwiseSqrt();
-    return result;
+  Vec3 mean(const Gaussian3& prior, double weight) const {
+    return (weight * prior.mean + sum) / (weight + count);
+  }
+  // Summed squared deviations from `about`.
+  Vec3 scatter(const Vec3& about) const {
+    return (square - 2 * sum.cwiseProduct(about) + count * about.cwiseAbs2()).cwiseMax(0.0);
   }
 };
+
+// The estimates of one quantity for all parts, and what was known before. That it was known too coarsely as a
+// whole shows long before it shows for each part: the prior variances first get a factor in common.
+void set_gaussians(const std::vector<Estimate>& estimates, const std::vector<Gaussian3*>& gaussians,
+                   const LearnOptions& options) {
+  const double s = options.prior_shapes_of_spreads;
+  double count = s;
+  double ratio = s;
+  for (std::size_t k = 0; k < estimates.size(); ++k) {
+    const Estimate& seen = estimates[k];
+    if (seen.count == 0) continue;
+    ratio += seen.scatter(seen.sum / seen.count).cwiseQuotient(gaussians[k]->stddev.cwiseAbs2()).sum();
+    count += 3 * (seen.count - 1);
+  }
+  const double factor = std::clamp(ratio / count, options.smallest_spread_factor, 1.0);
+  for (std::size_t k = 0; k < estimates.size(); ++k) {
+    const Estimate& seen = estimates[k];
+    Gaussian3& gaussian = *gaussians[k];
+    gaussian.mean = seen.mean(gaussian, options.prior_shapes_of_means);
+    gaussian.stddev =
+        ((s * factor * gaussian.stddev.cwiseAbs2() + seen.scatter(gaussian.mean)) / (s + seen.count))
+            .cwiseSqrt();
+  }
+}
 
 FeatureGaussian feature_gaussian(std::span<const std::vector<PartObservation>> observed, std::size_t part,
                                  const FeatureGaussian& prior, const LearnOptions& options) {
@@ -82,10 +104,12 @@ std::vector<PartObservation> observe_parts(const ShapeFit& fit, const ShapeSampl
 PartTemplate reestimate(const PartTemplate& initial, std::span<const std::vector<PartObservation>> observed,
                         const LearnOptions& options) {
   PartTemplate result = with_expected_features(initial);
+  std::vector<Estimate> positions(result.parts.size());
+  std::vector<Estimate> scales(result.parts.size());
   for (std::size_t k = 0; k < result.parts.size(); ++k) {
     TemplatePart& part = result.parts[k];
-    Estimate position;
-    Estimate scale;
+    Estimate& position = positions[k];
+    Estimate& scale = scales[k];
     Vec3 turn = Vec3::Zero();
     for (const auto& shape : observed) {
       if (!shape[k].present) continue;
@@ -97,10 +121,14 @@ PartTemplate reestimate(const PartTemplate& initial, std::span<const std::vector
     const double prior = options.prior_shapes_of_means;
     part.existence = (position.count + prior * std::min(part.existence, 0.99)) /
                      (static_cast<double>(observed.size()) + prior);
-    part.position = position.posterior(part.position, options);
-    part.scale = scale.posterior(part.scale, options);
     part.orientation = (part.orientation * turn_rotation(turn / (prior + position.count))).normalized();
   }
+  std::vector<Gaussian3*> gaussians;
+  for (TemplatePart& part : result.parts) gaussians.push_back(&part.position);
+  set_gaussians(positions, gaussians, options);
+  gaussians.clear();
+  for (TemplatePart& part : result.parts) gaussians.push_back(&part.scale);
+  set_gaussians(scales, gaussians, options);
   return result;
 }
 

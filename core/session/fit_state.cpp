@@ -10,8 +10,8 @@ std::vector<std::pair<std::string, double>> named_options(const FitOptions& opti
   // Taken apart by position, so that an option which is added there and forgotten here does not compile.
   const auto& [distance_unit, alpha, deformation_tail, turn_stddev, round_share, beta, gamma, null_cost,
                feature_clip, existence_weight, graph_neighbours, face_smoothness, crease_reach, face_core,
-               face_neighbours, template_points, yaw_costs, max_alternations, drop_parts, odds_weight, expansion] =
-      options;
+               face_neighbours, template_points, yaw_costs, max_alternations, drop_parts, odds_weight,
+               expansion] = options;
   const auto& [prune] = expansion;
   return {{"distance_unit", distance_unit},
           {"alpha", alpha},

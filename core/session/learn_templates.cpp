@@ -50,12 +50,13 @@ struct State {
 ContentHash learn_request(const Project& project, const std::vector<PartTemplate>& initial,
                           const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed) {
   // Taken apart by position, so that an option which is added there and forgotten here does not compile.
-  const auto& [iterations, sample_size, learning_share, tau, means, spreads, feature_spread, agreeing_share,
-               cluster_share, smallest_cluster, noise] = options;
+  const auto& [iterations, sample_size, learning_share, tau, smallest_set, means, spreads, spread_factor,
+               feature_spread, agreeing_share, cluster_share, smallest_cluster] = options;
   std::string text = fit_state(initial, fit_options).to_hex() + "\n" + std::to_string(seed) + "\n";
   for (const double value :
-       {static_cast<double>(iterations), static_cast<double>(sample_size), learning_share, tau, means,
-        spreads, feature_spread, agreeing_share, cluster_share, static_cast<double>(smallest_cluster), noise})
+       {static_cast<double>(iterations), static_cast<double>(sample_size), learning_share, tau,
+        static_cast<double>(smallest_set), means, spreads, spread_factor, feature_spread, agreeing_share,
+        cluster_share, static_cast<double>(smallest_cluster)})
     text += number_text(value) + "\n";
   for (const ShapeRecord& shape : project.shapes()) {
     text += shape.name + " " + shape.hash.to_hex() + " " + std::string(to_string(shape.up)) + " " +

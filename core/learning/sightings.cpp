@@ -1,0 +1,76 @@
+// One fit a shape.
+#include "core/learning/sightings.h"
+
+#include "core/base/parallel.h"
+#include "core/fitting/deformation.h"
+#include "core/fitting/fit_template.h"
+#include "core/fitting/template_choice.h"
+#include "core/fitting/template_surface.h"
+#include "core/geometry/kd_tree.h"
+
+namespace archetype {
+
+namespace {
+
+// Differs from the paper in that some of the prior stays: a part of few samples would become anything.
+constexpr double kept_prior = 0.1;
+constexpr double loosest_stddev = 0.2;
+constexpr int steps = 5;
+
+// d*(t, s) of section 4.2: the boxes that minimise E_data for the labels of the fit. Those of the fit itself
+// lie nearer to the means than the shape's parts do, and spreads estimated from them would shrink with every
+// round.
+std::vector<Box> free_boxes(const PartTemplate& part_template, const ShapeSamples& samples,
+                            const ShapeFit& fit, const FitOptions& options) {
+  PartTemplate loose = part_template;
+  for (TemplatePart& part : loose.parts) {
+    part.position.stddev = part.position.stddev.cwiseMax(loosest_stddev);
+    part.scale.stddev = part.scale.stddev.cwiseMax(loosest_stddev);
+  }
+  FitOptions loosened = options;
+  loosened.alpha *= kept_prior;
+  std::vector<Vec3> points;
+  for (const Vec3& p : samples.points) points.push_back(fit.to_template(p));
+  std::vector<Box> boxes;
+  for (const FittedPart& part : fit.parts) boxes.push_back(part.box);
+  const KdTree tree(samples.points);
+  const TemplateSurface surface = sample_template(part_template, options.template_points);
+  Correspondences matches;
+  const MatchedShape shape{points, fit.labels, &surface, &matches, options.distance_unit * samples.radius};
+  for (int step = 0; step < steps; ++step) {
+    match({&tree, points, fit.yaw_quarters, fit.translation}, fit.labels, boxes, surface, matches);
+    deformation_step(shape, loose, loosened, boxes);
+  }
+  return boxes;
+}
+
+}  // namespace
+
+std::optional<std::vector<Sighting>> sightings(const PartTemplate& part_template,
+                                               std::span<const LearningShape> shapes,
+                                               const FitOptions& options, unsigned threads,
+                                               const JobControl& control) {
+  std::vector<Sighting> result(shapes.size());
+  const bool all = parallel_for(shapes.size(), threads, control, "learning", [&](std::size_t i) {
+    const ShapeSamples& samples = *shapes[i].samples;
+    FitOptions shape_options = options;
+    shape_options.yaw_costs = shapes[i].yaw_costs;
+    const auto fit = fit_template(part_template, samples, shape_options, {control.stop, {}});
+    if (!fit) return;
+    Sighting& seen = result[i];
+    seen.choice = choice_energy(*fit, part_template, options) +
+                  shape_options.yaw_costs[static_cast<std::size_t>(fit->yaw_quarters)];
+    seen.yaw_energies = fit->yaw_energies;
+    seen.energy = fit->energy.total();
+    for (const Vec3& p : samples.points) seen.bounds.add(fit->to_template(p));
+    seen.parts = observe_parts(*fit, samples);
+    const std::vector<Box> boxes = free_boxes(part_template, samples, *fit, options);
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      if (seen.parts[k].present) seen.parts[k].box = boxes[k];
+    }
+  });
+  if (!all || control.cancelled()) return std::nullopt;
+  return result;
+}
+
+}  // namespace archetype
