@@ -12,7 +12,7 @@ struct LearnOptions {
   // tau times the least one. Differs from the paper, whose thresholds of 75 and 150 have an unknown unit.
   double learning_share = 0.7;
   double tau = 4;
-  std::size_t smallest_learning_set = 3;  // a template with fewer stays as it is
+  std::size_t smallest_learning_set = 3;  // fewer teach a template nothing
   // What was known before any shape was seen counts as much as this many shapes. Differs from the paper,
   // which has no prior: parts that few shapes have shrink to what the first fits made of them.
   double prior_shapes_of_means = 5;

@@ -110,7 +110,7 @@ std::vector<SplitProposal> split_proposals(const LearnedTemplate& parent, const 
                                            const LearnOptions& options) {
   const std::size_t count = members.seen.size();
   const auto least =
-      std::max(options.smallest_cluster,
+      std::max(options.smallest_learning_set,
                static_cast<std::size_t>(std::ceil(options.cluster_share * static_cast<double>(count))));
   std::vector<SplitProposal> proposals;
   // A cluster and what it leaves are the same division.
@@ -244,12 +244,12 @@ bool split_template(const LearnedTemplate& parent, const TemplateMembers& member
   for (SplitProposal& proposal : split_proposals(parent, members, options)) {
     Division division(parent, std::move(proposal), members);
     if (!division.advance(fit_options, options, threads, control)) return false;
-    if (division.balanced(options.smallest_cluster)) started.push_back(std::move(division));
+    if (division.balanced(options.smallest_learning_set)) started.push_back(std::move(division));
   }
   std::ranges::stable_sort(started, std::greater<>{}, &Division::gain);
   if (started.size() > followed) started.erase(started.begin() + followed, started.end());
   for (Division& division : started) {
-    for (int step = 1; step < divisions && division.balanced(options.smallest_cluster); ++step) {
+    for (int step = 1; step < divisions && division.balanced(options.smallest_learning_set); ++step) {
       if (!division.advance(fit_options, options, threads, control)) return false;
     }
     if (!division.balanced(options.smallest_cluster)) continue;
