@@ -15,7 +15,7 @@ namespace archetype {
 
 struct LearnedTemplate {
   PartTemplate part_template;
-  PartTemplate initial;  // what learning began with: the prior of every re-estimation; has the same parts
+  PartTemplate initial;  // what learning or its division began with: the prior; has the same parts
 };
 
 // Shapes that take a template, with what its fits to them say.
