@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <ranges>
 
 #include "core/fitting/starting_boxes.h"
 #include "core/learning/linkage_clusters.h"
@@ -113,10 +113,11 @@ std::vector<SplitProposal> split_proposals(const LearnedTemplate& parent, const 
       std::max(options.smallest_learning_set,
                static_cast<std::size_t>(std::ceil(options.cluster_share * static_cast<double>(count))));
   std::vector<SplitProposal> proposals;
+  std::size_t others = 0;  // proposals whose child is made in the other way
   // A cluster and what it leaves are the same division.
   const auto is_new = [&](const Members& cluster) {
     if (cluster.size() < least || count - cluster.size() < least) return false;
-    return std::ranges::none_of(proposals, [&](const SplitProposal& known) {
+    return std::ranges::none_of(proposals | std::views::drop(others), [&](const SplitProposal& known) {
       std::size_t same = 0;
       std::size_t at = 0;
       for (std::size_t i = 0; i < count; ++i) {
@@ -143,6 +144,8 @@ std::vector<SplitProposal> split_proposals(const LearnedTemplate& parent, const 
     const PartTemplate child = stretched(parent.part_template, bounds);
     add(cluster, {child, child});
   }
+  // A floor lamp is no table lamp that was stretched: its shade stays as it is.
+  others = proposals.size();
   std::vector<Members> clusters = presence_clusters(members, parent.initial.parts.size());
   std::ranges::move(clusters_of(arrangements(members, parent.initial.parts.size())),
                     std::back_inserter(clusters));
