@@ -40,6 +40,10 @@ void learn_command(Studio& studio, Arguments) {
   learn(studio);
 }
 
+void learn_from_shapes_alone_command(Studio& studio, Arguments) {
+  learn_from_shapes_alone(studio);
+}
+
 void show_learning_command(Studio& studio, Arguments) {
   show_learning(studio);
 }
@@ -88,6 +92,11 @@ void add_learning_commands(std::vector<Command>& commands) {
                                        .key = "Ctrl+L",
                                        .run = learn_command,
                                        .why_not = needs_shapes_and_template},
+                                      {.name = "learn-automatically",
+                                       .title = "Learn from the shapes alone",
+                                       .menu = "Template",
+                                       .run = learn_from_shapes_alone_command,
+                                       .why_not = needs_free_shapes},
                                       {.name = "show-learning",
                                        .title = "Show the learning panel",
                                        .menu = "Template",

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/fitting/fit_template.h"
 #include "core/session/actions.h"
+#include "core/session/automatic_start.h"
 #include "core/session/learn_templates.h"
 #include "core/session/suggest_templates.h"
 #include "ui/learning_flow.h"
@@ -15,6 +16,8 @@
 
 namespace archetype {
 namespace {
+
+constexpr std::uint64_t learning_seed = 1;  // that of the batch program
 
 std::vector<PartTemplate> current_templates(const Project& project) {
   std::vector<PartTemplate> templates;
@@ -56,6 +59,52 @@ std::string summary(const LearnReport& report, std::size_t templates) {
   if (report.cancelled)
     text = "Learning stopped after " + plural(report.steps.size(), "round") + "; learn again to go on";
   return text;
+}
+
+enum class Start { document, shapes };  // the templates of the document, or the best that the shapes suggest
+
+void learn_from(Studio& studio, Start from) {
+  const auto path = studio.collection.path;
+  const auto threads = static_cast<unsigned>(studio.settings.threads);
+  const Document document = studio.history.committed();
+  const std::string title = from == Start::shapes ? std::string("Learn from the shapes alone")
+                                                  : "Learn from " + document.active_template()->name;
+  const JobId job = studio.jobs.start(
+      title, [&studio, path, threads, document, from, title](const JobControl& control) -> Jobs::Apply {
+        Project project = Project::open(path);
+        // The templates of the project may be those of a learning that was stopped: it is gone on with.
+        const bool of_project =
+            from == Start::document && current_templates(project) == templates_of(document);
+        std::vector<PartTemplate> start;
+        if (from == Start::shapes) {
+          const auto chosen = automatic_start(project, {}, {}, learning_seed, threads, control);
+          if (!chosen) return {};
+          start = {*chosen};
+        } else {
+          start = of_project ? learning_start(project) : std::vector{*document.active_template()};
+        }
+        const LearnReport report =
+            learn_templates(project, start, {}, {}, learning_seed, false, threads, control);
+        const std::vector<PartTemplate> learned = current_templates(project);
+        return [&studio, path, document, from, of_project, report, learned, title] {
+          if (studio.collection.path != path) return;
+          // A template that was edited meanwhile stays; what was learned comes beside it.
+          const bool same = studio.history.committed() == document;
+          const bool beside = from == Start::shapes && !document.templates.empty();
+          if (same && !beside) {
+            take_learned(studio.history, learned,
+                         of_project || from == Start::shapes ? LearnedFrom::all : LearnedFrom::active, title);
+          } else {
+            for (const PartTemplate& each : learned) add_template(studio.history, each, "Learn " + each.name);
+          }
+          studio.ui.part.reset();
+          say(studio, Severity::note, summary(report, learned.size()));
+        };
+      });
+  studio.writers.push_back(
+      {.job = job, .project = path, .fits = true, .learns = true, .rounds_before = rounds_learned(studio)});
+  studio.ui.learning = {};
+  show_learning(studio);
 }
 
 }  // namespace
@@ -130,37 +179,11 @@ void show_learning(Studio& studio) {
 }
 
 void learn(Studio& studio) {
-  const auto path = studio.collection.path;
-  const auto threads = static_cast<unsigned>(studio.settings.threads);
-  const Document document = studio.history.committed();
-  const std::string title = "Learn from " + document.active_template()->name;
-  const JobId job =
-      studio.jobs.start(title, [&studio, path, threads, document](const JobControl& control) -> Jobs::Apply {
-        Project project = Project::open(path);
-        // The templates of the project may be those of a learning that was stopped: it is gone on with.
-        const bool of_project = current_templates(project) == templates_of(document);
-        const std::vector<PartTemplate> start =
-            of_project ? learning_start(project) : std::vector{*document.active_template()};
-        const LearnReport report = learn_templates(project, start, {}, {}, 1, false, threads, control);
-        const std::vector<PartTemplate> learned = current_templates(project);
-        return [&studio, path, document, of_project, report, learned] {
-          if (studio.collection.path != path) return;
-          // A template that was edited meanwhile stays; what was learned comes beside it.
-          const bool same = studio.history.committed() == document;
-          if (same) {
-            take_learned(studio.history, learned, of_project ? LearnedFrom::all : LearnedFrom::active,
-                         "Learn from " + document.active_template()->name);
-          } else {
-            for (const PartTemplate& each : learned) add_template(studio.history, each, "Learn " + each.name);
-          }
-          studio.ui.part.reset();
-          say(studio, Severity::note, summary(report, learned.size()));
-        };
-      });
-  studio.writers.push_back(
-      {.job = job, .project = path, .fits = true, .learns = true, .rounds_before = rounds_learned(studio)});
-  studio.ui.learning = {};
-  show_learning(studio);
+  learn_from(studio, Start::document);
+}
+
+void learn_from_shapes_alone(Studio& studio) {
+  learn_from(studio, Start::shapes);
 }
 
 }  // namespace archetype

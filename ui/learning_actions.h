@@ -20,6 +20,10 @@ void take_suggestion(Studio& studio, std::size_t rank);
 // takes the place of that template, as one step that can be undone; of a stopped run, what its last whole
 // round left.
 void learn(Studio& studio);
+// The same without a template to begin with: learns a little from each of those that the shapes suggest, and
+// on from the best (section 4.3). What comes of it is put beside the templates of the document. A stopped
+// choice is gone on with.
+void learn_from_shapes_alone(Studio& studio);
 // The job that learns from the collection in view.
 std::optional<JobView> learning_job(const Studio& studio);
 // The whole rounds that the project in view holds.

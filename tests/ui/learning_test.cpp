@@ -210,6 +210,27 @@ TEST_CASE("What was learned is there again after a restart") {
   CHECK(again.studio().ui.look.has_value());
 }
 
+TEST_CASE("Templates are learned from the shapes alone, beside those that are there") {
+  TestWindow window;
+  window.open_chairs(2);
+  const auto templates = [&] { return window.studio().history.committed().templates; };
+  REQUIRE(templates().empty());
+  REQUIRE(run_command(window.studio(), "learn-automatically"));
+  window.settle();
+  const auto learned = templates();
+  REQUIRE_FALSE(learned.empty());
+  CHECK(window.studio().collection.content.learning);
+  window.key("Ctrl+Z");
+  CHECK(templates().empty());
+  window.make_template();
+  const auto made = templates();
+  REQUIRE(run_command(window.studio(), "learn-automatically"));
+  window.settle();
+  REQUIRE(templates().size() == made.size() + learned.size());
+  CHECK(*templates()[0] == *made[0]);
+  CHECK(templates()[1]->parts == learned[0]->parts);
+}
+
 TEST_CASE("A learning is paused and goes on, from its own panel and from that of the jobs") {
   TestWindow window;
   window.open_chairs(8);
