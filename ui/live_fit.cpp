@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/fitting/fit_template.h"
+#include "core/fitting/point_graph.h"
 
 namespace archetype {
 namespace {
@@ -42,6 +43,14 @@ std::optional<ShapeFit> fit_at_any_yaw(const LiveFitRequest& request, const JobC
 
 }  // namespace
 
+const LabellingGraph& LiveFitter::graph(const LiveFitRequest& request) {
+  if (graph_samples_ != request.samples) {
+    graph_ = make_point_graph(*request.samples, request.options);
+    graph_samples_ = request.samples;
+  }
+  return graph_;
+}
+
 std::vector<std::int16_t> LiveFitter::label(const LiveFitRequest& request, const ShapeFit& fit,
                                             const JobControl& control) {
   if (!labeller_ || mesh_ != request.mesh || samples_ != request.samples) {
@@ -63,10 +72,10 @@ std::optional<LiveFitResult> LiveFitter::run(const LiveFitRequest& request, cons
   try {
     const Clock::time_point start = Clock::now();
     const PartTemplate& part_template = *request.part_template;
-    std::optional<ShapeFit> fit =
-        can_go_on(request)
-            ? refit_template(part_template, *request.samples, request.start->fit, request.options, control)
-            : fit_at_any_yaw(request, control);
+    std::optional<ShapeFit> fit = can_go_on(request)
+                                      ? follow_template(part_template, *request.samples, graph(request),
+                                                        request.start->fit, request.options, control)
+                                      : fit_at_any_yaw(request, control);
     if (!fit) return std::nullopt;
     result.fit_milliseconds = milliseconds_since(start);
 

@@ -22,6 +22,12 @@ struct ViewFit {
   std::vector<std::int16_t> element_labels;  // a part index per face of the file, or null_label
 };
 
+// The names of the parts that must exist and were not found.
+std::vector<std::string> missing_parts(const ViewFit& view);
+// What the energy would be if no part had to exist: 1000 more a part says nothing to a person, and its bar
+// would hide the others.
+FitEnergy energy_without_missing(const ViewFit& view);
+
 struct ShapeInView {
   std::optional<ShapeRecord> record;        // nothing: no shape is in view
   std::shared_ptr<const PolygonMesh> mesh;  // file coordinates; null until it is read, or if the file is gone

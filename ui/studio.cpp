@@ -156,6 +156,7 @@ Studio::Studio(StudioOptions given)
       autosave(options.wake),
       directory_reader(list_directory, options.wake),
       live_fit(options.wake),
+      strip(options.wake),
       thumbnails(options.shaders, options.wake),
       jobs(options.wake) {}
 
@@ -172,6 +173,7 @@ void begin_frame(Studio& studio) {
   follow_rows(studio);
   take_over_shape(studio);
   take_over_fit(studio);
+  begin_strip(studio);
   tell_problems(studio);
   keep_selection_valid(studio);
   if (studio.drag && !advance(*studio.drag, studio.history)) studio.drag.reset();
@@ -181,13 +183,15 @@ void end_frame(Studio& studio) {
   note_edit(studio);
   keep_selection_valid(studio);
   ask_for_fit(studio);
+  end_strip(studio);
   studio.thumbnails.end_frame();
   autosave(studio);
 }
 
 void frame_shown(Studio& studio) {
   const Clock::time_point now = Clock::now();
-  studio.frame_milliseconds = std::chrono::duration<double, std::milli>(now - studio.frame_start).count();
+  studio.frames.shown(std::chrono::duration<double, std::milli>(now - studio.frame_start).count());
+  strip_shown(studio, now);
   if (!std::exchange(studio.live_fit.newly_shown, false)) return;
   studio.latency.displayed(studio.live_fit.shown_document, now);
 }
@@ -196,7 +200,7 @@ bool settled(const Studio& studio) {
   return !studio.drag && !studio.wanted_picture && studio.jobs.resting() && studio.shape_loader.idle() &&
          studio.live_fit.worker.idle() && studio.rows_reader.idle() && studio.directory_reader.idle() &&
          studio.autosave.saver.idle() && studio.thumbnails.idle() && !studio.live_fit.newly_shown &&
-         studio.live_fit.asked_shape == studio.shape.shape_revision &&
+         studio.live_fit.asked_shape == studio.shape.shape_revision && strip_settled(studio) &&
          !viewport_busy(studio.viewport, studio.shape.shape_revision);
 }
 

@@ -89,7 +89,14 @@ struct LearningChoice {
   std::optional<std::size_t> part_template;  // of that round
 };
 
-enum class BottomTab { jobs, learning, messages, history, diagnostics };
+// The shapes of the strip, in its order.
+struct StripChoice {
+  std::vector<ShapeId> shapes;
+  std::uint64_t draws = 0;  // so many were drawn at random: the seed of the newest
+  bool emptied = false;     // by hand: it is not filled by itself again
+};
+
+enum class BottomTab { jobs, strip, learning, messages, history, diagnostics };
 
 struct UiState {
   std::optional<ShapeId> shape;     // the shape in view
@@ -112,6 +119,7 @@ struct UiState {
   std::size_t chosen_suggestion = 0;
   bool show_suggestions = false;
   LearningChoice learning;
+  StripChoice strip;
   std::optional<TemplateLook> look;  // nothing: the active template of the document is shown
   bool help = false;                 // the list of keys
   bool about = false;                // with the credits

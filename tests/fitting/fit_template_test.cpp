@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/fitting/point_graph.h"
 #include "tests/support/made_shapes.h"
 #include "tests/support/plain_fit.h"
 
@@ -175,6 +176,23 @@ TEST_CASE("live refits start from the fit that is there") {
   PartTemplate fewer = part_template;
   fewer.parts.pop_back();  // labels of the old fit name a part that is gone
   CHECK(refit_template(fewer, shape.samples, *fit, {})->parts.size() == fewer.parts.size());
+}
+
+TEST_CASE("while a box is dragged, fits follow the one before") {
+  const test::MadeShape shape = test::make_shape("chairs", {}, 2);
+  PartTemplate moved = test::template_from(shape);
+  const LabellingGraph graph = make_point_graph(shape.samples, {});
+  ShapeFit fit = *fit_template(moved, shape.samples, {});
+  for (int step = 0; step < 10; ++step) {
+    moved.parts[1].position.mean.y() += 0.03;
+    fit = *follow_template(moved, shape.samples, graph, fit, {});
+    const ShapeFit anew = *refit_template(moved, shape.samples, fit, {});
+    CHECK(fit.energy.total() <= anew.energy.total() * 1.02);
+    CHECK(fit.yaw_energies[static_cast<std::size_t>(fit.yaw_quarters)] == fit.energy.total());
+  }
+  PartTemplate fewer = moved;
+  fewer.parts.pop_back();  // labels of the old fit name a part that is gone
+  CHECK(follow_template(fewer, shape.samples, graph, fit, {})->parts.size() == fewer.parts.size());
 }
 
 TEST_CASE("fits are the same bytes on every thread") {
