@@ -54,8 +54,8 @@ void draw_tile_picture(Studio& studio, StripTile& tile, ImVec2 size) {
   TilePicture wanted;
   wanted.shape = tile.shape;
   wanted.fit = tile.fit;
-  const bool resting = viewport.action == MouseAction::none && !viewport.flight;
-  const Camera seen = viewport.camera;
+  const bool resting = viewport.action == MouseAction::none && !viewport.panes[0].flight;
+  const Camera seen = viewport.panes[0].camera;
   wanted.yaw = resting || !tile.drawn ? seen.yaw : tile.drawn->yaw;
   wanted.pitch = resting || !tile.drawn ? seen.pitch : tile.drawn->pitch;
   wanted.size = {static_cast<int>(std::lround(size.x * density)),
@@ -174,7 +174,7 @@ void draw_strip_panel(Studio& studio) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float columns = most_strip_shapes;
   const ImVec2 size(std::max(std::floor((room.x - gap * (columns - 1)) / columns), 40 * scale),
-                    std::max(room.y - scale, 50 * scale));
+                    std::max(room.y - ImGui::GetStyle().ItemSpacing.y, 50 * scale));
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     ImGui::SetCursorScreenPos({origin.x + static_cast<float>(i) * (size.x + gap), origin.y});

@@ -26,7 +26,8 @@ struct ViewOptions {
   bool fitted_boxes = false;  // as deformed to the shape in view
   bool part_names = true;
   bool ground = true;
-  bool orthographic = false;
+  bool orthographic = false;  // of the view in perspective
+  bool four_views = false;    // perspective, top, front and right at once
   SurfaceColour colour = SurfaceColour::part;
   friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
 };

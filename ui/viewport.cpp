@@ -16,7 +16,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds flight_time{220};
 constexpr std::chrono::milliseconds rest_before_fine_picture{180};
 constexpr int fine = 2;  // supersampling of a picture that stands still
 
@@ -51,7 +50,7 @@ void take_over_shape(Studio& studio) {
 }
 
 bool moving(const ViewportState& state) {
-  return state.flight || (state.action != MouseAction::none && state.action != MouseAction::click);
+  return state.flying() || (state.action != MouseAction::none && state.action != MouseAction::click);
 }
 
 ViewportContent content_of(const Studio& studio) {
@@ -69,69 +68,20 @@ ViewportContent content_of(const Studio& studio) {
   return content;
 }
 
-void fly(ViewportState& state, const Camera& to) {
-  state.flight = CameraFlight{state.camera, to, Clock::now()};
-}
-
-ViewPreset preset_of(CameraView view) {
-  switch (view) {
-    case CameraView::front:
-      return ViewPreset::front;
-    case CameraView::back:
-      return ViewPreset::back;
-    case CameraView::left:
-      return ViewPreset::left;
-    case CameraView::right:
-      return ViewPreset::right;
-    case CameraView::top:
-      return ViewPreset::top;
-    case CameraView::bottom:
-      return ViewPreset::bottom;
-    case CameraView::home:
-      return ViewPreset::three_quarter;
-  }
-  return ViewPreset::three_quarter;
-}
-
-void follow_wishes(Studio& studio, const ViewportContent& content, const Viewport& viewport) {
-  ViewportState& state = studio.viewport;
-  state.camera.orthographic = studio.ui.view.orthographic;
-  const auto extent = extent_to_frame(content);
-  if (!state.framed && extent && state.display.shape_revision != 0) {
-    frame(state.camera, viewport, extent->first, extent->second);
-    state.framed = true;
-  }
-  const auto wanted = std::exchange(studio.ui.wanted_view, std::nullopt);
-  const bool frames = std::exchange(studio.ui.wanted_frame, false) || wanted == CameraView::home;
-  if (wanted || frames) {
-    Camera to = state.flight ? state.flight->to : state.camera;
-    to.orthographic = state.camera.orthographic;
-    if (wanted) look_from(to, preset_of(*wanted));
-    ViewportContent all = content;
-    if (wanted == CameraView::home) all.selected.reset();
-    if (const auto room = extent_to_frame(all); frames && room)
-      frame(to, viewport, room->first, room->second);
-    fly(state, to);
-  }
-  if (!state.flight) return;
-  const double t = std::chrono::duration<double>(Clock::now() - state.flight->start) / flight_time;
-  const double eased = t >= 1 ? 1 : t * t * (3 - 2 * t);
-  state.flight->to.orthographic = state.camera.orthographic;
-  state.camera = blend(state.flight->from, state.flight->to, eased);
-  state.camera.orthographic = studio.ui.view.orthographic;
-  if (t >= 1) state.flight.reset();
-}
-
-// An invisible button over the whole view: Dear ImGui decides who has the mouse.
-MouseInput read_mouse(Studio& studio, ImVec2 origin, ImVec2 size) {
+// An invisible button over the whole pane: Dear ImGui decides who has the mouse. The title lies over it.
+MouseInput read_mouse(Studio& studio, const PlacedPane& placed) {
   const ImGuiIO& io = ImGui::GetIO();
   constexpr ImGuiButtonFlags any_button = ImGuiButtonFlags_MouseButtonLeft |
                                           ImGuiButtonFlags_MouseButtonRight |
                                           ImGuiButtonFlags_MouseButtonMiddle;
-  ImGui::InvisibleButton("##view", size, any_button);
-  mark_target(studio, "viewport");
+  ImGui::SetCursorScreenPos(placed.origin);
+  ImGui::PushID(static_cast<int>(placed.index));
+  ImGui::InvisibleButton("##view", placed.size, any_button);
+  ImGui::SetItemAllowOverlap();
+  ImGui::PopID();
+  mark_target(studio, placed.index == 0 ? "viewport" : "viewport:" + std::to_string(placed.index));
   MouseInput mouse;
-  mouse.cursor = {io.MousePos.x - origin.x, io.MousePos.y - origin.y};
+  mouse.cursor = {io.MousePos.x - placed.origin.x, io.MousePos.y - placed.origin.y};
   mouse.over = ImGui::IsItemHovered();
   mouse.held = ImGui::IsItemActive();
   mouse.pressed = ImGui::IsItemActivated();
@@ -147,12 +97,14 @@ MouseInput read_mouse(Studio& studio, ImVec2 origin, ImVec2 size) {
 }
 
 // Only when something has changed; once it has not for a while, in a finer picture.
-void draw_picture(Studio& studio, const Scene& scene, ImVec2 size) {
+void draw_picture(Studio& studio, const Scene& scene, const PlacedPane& placed) {
   ViewportState& state = studio.viewport;
+  ViewPane& pane = state.panes[placed.index];
+  const ImVec2 size = placed.size;
   const ImVec2 density = ImGui::GetIO().DisplayFramebufferScale;
   const float pixels = std::max(density.x, 1.F);
   PictureKey key;
-  key.camera = state.camera;
+  key.camera = pane.camera;
   key.size = {static_cast<int>(std::lround(size.x * pixels)), static_cast<int>(std::lround(size.y * pixels)),
               1, pixels * studio.fonts.scale};
   key.view = studio.ui.view;
@@ -164,27 +116,30 @@ void draw_picture(Studio& studio, const Scene& scene, ImVec2 size) {
   key.display_revision = state.display.shape_revision;
   key.selected = studio.ui.part;
   key.hovered = state.hovered;
-  const bool changed = state.drawn != key;
-  if (changed) state.changed_at = Clock::now();
-  const bool rested = Clock::now() - state.changed_at > rest_before_fine_picture;
-  const bool refine = !changed && !state.drawn_fine && rested && state.action == MouseAction::none;
+  const bool changed = pane.drawn != key;
+  if (changed) pane.changed_at = Clock::now();
+  const bool rested = Clock::now() - pane.changed_at > rest_before_fine_picture;
+  const bool refine = !changed && !pane.drawn_fine && rested && state.action == MouseAction::none;
   if (!changed && !refine) return;
   PictureSize drawn_size = key.size;
   if (refine) drawn_size.supersample = fine;
-  state.renderer.draw(scene, state.camera, drawn_size, state.target);
-  state.drawn = key;
-  state.drawn_fine = refine;
+  state.renderer.draw(scene, pane.camera, drawn_size, pane.target);
+  pane.drawn = key;
+  pane.drawn_fine = refine;
 }
 
-void draw_overlay(Studio& studio, ImVec2 origin, ImVec2 size, const GizmoView& view,
+void draw_overlay(Studio& studio, const PlacedPane& placed, const GizmoView& view,
                   const std::vector<HandleShape>& shapes) {
+  const ImVec2 origin = placed.origin;
+  const ImVec2 size = placed.size;
   const ViewportState& state = studio.viewport;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.PushClipRect(origin, {origin.x + size.x, origin.y + size.y}, true);
   const std::shared_ptr<const PartTemplate> shown = shown_template(studio);
   if (shown && studio.ui.view.mean_boxes && studio.ui.view.part_names)
     draw_part_names(draw, origin, *shown, studio.ui.part, view);
-  const auto highlighted = state.drag ? std::optional(state.drag->handle) : state.handle;
+  const auto of_mouse = state.drag ? std::optional(state.drag->handle) : state.handle;
+  const auto highlighted = placed.index == state.current ? of_mouse : std::nullopt;
   draw_handles(draw, origin, shapes, highlighted, view.scale);
   draw_axes(draw, origin, view, ImGui::GetColorU32(colours(studio).text));
   draw.PopClipRect();
@@ -198,40 +153,74 @@ std::vector<HandleShape> handles_of_selection(const Studio& studio, const GizmoV
   return handle_shapes(active->parts[*studio.ui.part].mean_box(), studio.ui.tool, view);
 }
 
+GizmoView view_of(const Studio& studio, const PlacedPane& placed) {
+  return {studio.viewport.panes[placed.index].camera, placed.viewport(),
+          static_cast<double>(studio.fonts.scale)};
+}
+
+// The pane under the mouse becomes the current one, unless the mouse is held from another.
+void follow_mouse_in(Studio& studio, const std::vector<PlacedPane>& panes) {
+  ViewportState& state = studio.viewport;
+  std::optional<std::size_t> with_mouse;
+  std::vector<MouseInput> inputs;
+  for (std::size_t i = 0; i < panes.size(); ++i) {
+    inputs.push_back(read_mouse(studio, panes[i]));
+    if (state.action == MouseAction::none ? inputs[i].over : panes[i].index == state.current) with_mouse = i;
+  }
+  if (with_mouse) state.current = panes[*with_mouse].index;
+  for (std::size_t i = 0; i < panes.size(); ++i) {
+    if (panes[i].index != state.current) continue;
+    const GizmoView view = view_of(studio, panes[i]);
+    follow_mouse(studio, inputs[i], make_viewport_scene(content_of(studio)), view,
+                 handles_of_selection(studio, view));
+  }
+}
+
+void draw_pane(Studio& studio, const PlacedPane& placed) {
+  draw_picture(studio, make_viewport_scene(content_of(studio)), placed);
+  const gl::Texture& texture = studio.viewport.panes[placed.index].target.texture();
+  // OpenGL's first row is the lowest.
+  ImGui::GetWindowDrawList()->AddImage(
+      reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture.name())), placed.origin,
+      {placed.origin.x + placed.size.x, placed.origin.y + placed.size.y}, {0, 1}, {1, 0});
+  const GizmoView view = view_of(studio, placed);
+  draw_overlay(studio, placed, view, handles_of_selection(studio, view));
+  draw_pane_title(studio, placed);
+}
+
 }  // namespace
 
 ViewportState::ViewportState(const std::filesystem::path& shaders, std::function<void()> wake)
     : renderer(shaders), worker(make_shape_display, wake), coarse_worker(make_coarse_mesh, std::move(wake)) {}
 
+bool ViewportState::flying() const {
+  return std::ranges::any_of(shown, [&](std::size_t index) { return panes[index].flight.has_value(); });
+}
+
 void draw_viewport(Studio& studio) {
   ViewportState& state = studio.viewport;
   take_over_shape(studio);
   draw_look_strip(studio);
-  const ImVec2 origin = ImGui::GetCursorScreenPos();
-  const ImVec2 size = ImGui::GetContentRegionAvail();
-  if (size.x < 1 || size.y < 1) return;
-  GizmoView view;
-  view.viewport = {static_cast<int>(size.x), static_cast<int>(size.y)};
-  view.scale = studio.fonts.scale;
-  follow_wishes(studio, content_of(studio), view.viewport);
-  view.camera = state.camera;
-
-  const MouseInput mouse = read_mouse(studio, origin, size);
-  follow_mouse(studio, mouse, make_viewport_scene(content_of(studio)), view,
-               handles_of_selection(studio, view));
-  view.camera = state.camera;
-
-  draw_picture(studio, make_viewport_scene(content_of(studio)), size);
-  // OpenGL's first row is the lowest.
-  ImGui::GetWindowDrawList()->AddImage(
-      reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(state.target.texture().name())), origin,
-      {origin.x + size.x, origin.y + size.y}, {0, 1}, {1, 0});
-  draw_overlay(studio, origin, size, view, handles_of_selection(studio, view));
+  // Only one view turns.
+  if (studio.ui.wanted_view && studio.ui.wanted_view != CameraView::home) state.current = 0;
+  const std::vector<PlacedPane> panes =
+      place_panes(studio, ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail());
+  state.shown.clear();
+  for (const PlacedPane& pane : panes) state.shown.push_back(pane.index);
+  const ViewportContent content = content_of(studio);
+  take_wishes(studio, content, panes);
+  for (const PlacedPane& pane : panes) follow_flight(studio, content, pane);
+  follow_mouse_in(studio, panes);
+  for (const PlacedPane& pane : panes) draw_pane(studio, pane);
 }
 
 bool viewport_busy(const ViewportState& state, std::uint64_t shape_revision) {
-  return state.flight || !state.worker.idle() || state.asked_display != shape_revision ||
-         (state.drawn && !state.drawn_fine && state.action == MouseAction::none);
+  const auto refining = [&](std::size_t index) {
+    const ViewPane& pane = state.panes[index];
+    return pane.flight || (pane.drawn && !pane.drawn_fine && state.action == MouseAction::none);
+  };
+  return !state.worker.idle() || state.asked_display != shape_revision ||
+         std::ranges::any_of(state.shown, refining);
 }
 
 }  // namespace archetype

@@ -1,60 +1,39 @@
 // The view of the shape with its template: camera, selection and handles by mouse.
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 
-#include "render/camera.h"
 #include "render/renderer.h"
 #include "ui/gizmo.h"
 #include "ui/shape_display.h"
+#include "ui/view_panes.h"
 #include "ui/viewport_scene.h"
 
 namespace archetype {
 
 struct Studio;
 
-// A move of the camera that the eye can follow.
-struct CameraFlight {
-  Camera from;
-  Camera to;
-  std::chrono::steady_clock::time_point start;
-};
-
 // What the mouse button that is down does.
 enum class MouseAction { none, click, orbit, pan, zoom, handle };  // click: until it moves
-
-// Everything that the picture depends on: while it stays, nothing is drawn anew.
-struct PictureKey {
-  Camera camera;
-  PictureSize size;
-  ViewOptions view;
-  Backdrop backdrop = Backdrop::dark;
-  bool coarse = false;
-  std::uint64_t document_revision = 0;
-  std::shared_ptr<const PartTemplate> looked_at;
-  std::uint64_t fit_revision = 0;
-  std::uint64_t display_revision = 0;
-  std::optional<std::size_t> selected;
-  std::optional<std::size_t> hovered;
-  friend bool operator==(const PictureKey&, const PictureKey&) = default;
-};
 
 // What the viewport keeps from frame to frame. Needs the window's OpenGL context, also when it dies.
 struct ViewportState {
   // `wake`: brings the window to draw a frame; called from another thread.
   ViewportState(const std::filesystem::path& shaders, std::function<void()> wake);
 
-  Camera camera;
-  bool framed = false;  // the first shape has been brought into the picture
-  std::optional<CameraFlight> flight;
+  ViewPanes panes = make_panes();
+  std::size_t current = 0;         // the pane that the mouse is in, or was in last: the one that can be large
+  std::vector<std::size_t> shown;  // panes of the newest frame
+  ViewPane& pane() { return panes[current]; }
+  const ViewPane& pane() const { return panes[current]; }
+  bool flying() const;  // the camera of a pane that is shown
 
   MouseAction action = MouseAction::none;
   MouseAction after_click = MouseAction::none;  // what a click becomes once it moves
-  glm::dvec2 pressed_at{0, 0};                  // pixels of the viewport
+  glm::dvec2 pressed_at{0, 0};                  // pixels of the current pane
   glm::dvec2 last_cursor{0, 0};
   std::optional<BoxDrag> drag;         // while action is handle
   std::size_t drag_part = 0;           // whose box it drags
@@ -69,10 +48,6 @@ struct ViewportState {
   std::uint64_t asked_display = 0;  // shape revision of the newest request
 
   Renderer renderer;
-  RenderTarget target;
-  std::optional<PictureKey> drawn;  // what the target shows
-  bool drawn_fine = false;
-  std::chrono::steady_clock::time_point changed_at{};  // when the picture changed last
 
   ShapeDisplayWorker worker;
   CoarseMeshWorker coarse_worker;

@@ -56,11 +56,12 @@ MouseAction camera_action(Navigation navigation, const MouseInput& mouse) {
 
 void begin(Studio& studio, const MouseInput& mouse) {
   ViewportState& state = studio.viewport;
-  state.flight.reset();
+  state.pane().flight.reset();
   state.pressed_at = mouse.cursor;
   state.last_cursor = mouse.cursor;
   const bool left = mouse.button == ImGuiMouseButton_Left;
   state.after_click = camera_action(studio.ui.navigation, mouse);
+  if (state.current != 0 && state.after_click == MouseAction::orbit) state.after_click = MouseAction::pan;
   const bool for_camera = studio.ui.navigation == Navigation::maya && mouse.alt;
   const PartTemplate* active = studio.history.current().active_template();
   if (left && !for_camera && state.handle && active && studio.ui.part &&
@@ -127,10 +128,12 @@ void hover(Studio& studio, const MouseInput& mouse, const Scene& scene, const Gi
 void move_camera(ViewportState& state, const MouseInput& mouse, const GizmoView& view) {
   const glm::dvec2 way = mouse.cursor - state.last_cursor;
   if (state.action == MouseAction::orbit)
-    orbit(state.camera, -way.x * radians_per_pixel / view.scale, way.y * radians_per_pixel / view.scale);
-  if (state.action == MouseAction::pan) pan(state.camera, view.viewport, state.last_cursor, mouse.cursor);
+    orbit(state.pane().camera, -way.x * radians_per_pixel / view.scale,
+          way.y * radians_per_pixel / view.scale);
+  if (state.action == MouseAction::pan)
+    pan(state.pane().camera, view.viewport, state.last_cursor, mouse.cursor);
   if (state.action == MouseAction::zoom)
-    zoom(state.camera, view.viewport, state.pressed_at, std::pow(zoom_per_pixel, -way.y / view.scale));
+    zoom(state.pane().camera, view.viewport, state.pressed_at, std::pow(zoom_per_pixel, -way.y / view.scale));
   state.last_cursor = mouse.cursor;
 }
 
@@ -140,8 +143,8 @@ void follow_mouse(Studio& studio, const MouseInput& mouse, const Scene& scene, c
                   const std::vector<HandleShape>& shapes) {
   ViewportState& state = studio.viewport;
   if (mouse.over && mouse.wheel != 0) {
-    state.flight.reset();
-    zoom(state.camera, view.viewport, mouse.cursor, std::pow(zoom_per_notch, mouse.wheel));
+    state.pane().flight.reset();
+    zoom(state.pane().camera, view.viewport, mouse.cursor, std::pow(zoom_per_notch, mouse.wheel));
   }
   if (state.action == MouseAction::none) hover(studio, mouse, scene, view, shapes);
   if (mouse.pressed) begin(studio, mouse);

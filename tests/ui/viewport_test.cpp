@@ -42,7 +42,7 @@ struct Window {
   Window() {
     add_template(studio.history, two_boxes(), "Two boxes");
     io.MousePos = {-1, -1};
-    state.camera.distance = 6;
+    state.pane().camera.distance = 6;
     frames(2);
   }
 
@@ -67,7 +67,7 @@ struct Window {
   }
   GizmoView view() const {
     const Target t = area();
-    return {state.camera,
+    return {state.pane().camera,
             {static_cast<int>(t.high_x - t.low_x), static_cast<int>(t.high_y - t.low_y)},
             static_cast<double>(studio.fonts.scale)};
   }
@@ -259,23 +259,23 @@ TEST_CASE("only the selected box has handles: elsewhere a drag orbits, and edits
   w.studio.ui.part = 1;
   w.frames(1);
   const Document before = w.studio.history.current();
-  const Camera camera = w.state.camera;
+  const Camera camera = w.state.pane().camera;
   w.drag(w.pixel_of(w.box(0).to_world(Vec3(-1, 0, 0))), w.pixel_of(w.box(0).centre) - glm::dvec2(120, 40));
   CHECK(w.studio.history.current() == before);
-  CHECK(w.state.camera.yaw != camera.yaw);
-  CHECK(w.state.camera.target == camera.target);
+  CHECK(w.state.pane().camera.yaw != camera.yaw);
+  CHECK(w.state.pane().camera.target == camera.target);
   CHECK(w.studio.ui.part == std::size_t{1});
 }
 
 TEST_CASE("the middle button and Shift pan, so that the scene follows the cursor") {
   for (const bool shift : {false, true}) {
     Window w;
-    const Camera before = w.state.camera;
+    const Camera before = w.state.pane().camera;
     const glm::dvec2 start = w.pixel_of(to_eigen(before.target));
     w.io.KeyShift = shift;
     w.drag({60, 60}, {160, 110}, shift ? 0 : 2);
     CHECK(glm::length(w.pixel_of(to_eigen(before.target)) - start - glm::dvec2(100, 50)) < 0.5);
-    CHECK(w.state.camera.yaw == before.yaw);
+    CHECK(w.state.pane().camera.yaw == before.yaw);
   }
 }
 
@@ -284,46 +284,173 @@ TEST_CASE("the wheel zooms to the cursor") {
   const Vec3 corner = w.box(1).to_world(Vec3(1, 1, 1));
   const glm::dvec2 at = w.pixel_of(corner);
   w.move_to(at);
-  const double distance = w.state.camera.distance;
+  const double distance = w.state.pane().camera.distance;
   w.io.MouseWheel = 2;
   w.frames(2);
-  CHECK(w.state.camera.distance < 0.8 * distance);
+  CHECK(w.state.pane().camera.distance < 0.8 * distance);
   CHECK(glm::length(w.pixel_of(corner) - at) < 1);
 }
 
 TEST_CASE("views and frames that commands wish for are flown to") {
   Window w;
   run_command(w.studio, "view-right");
-  for (int i = 0; i < 1000 && (w.state.flight || i == 0); ++i) w.frames(1);
+  for (int i = 0; i < 1000 && (w.state.pane().flight || i == 0); ++i) w.frames(1);
   Camera right;
   look_from(right, ViewPreset::right);
-  CHECK(w.state.camera.yaw == right.yaw);
-  CHECK(w.state.camera.pitch == right.pitch);
+  CHECK(w.state.pane().camera.yaw == right.yaw);
+  CHECK(w.state.pane().camera.pitch == right.pitch);
   w.studio.ui.part = 0;
   run_command(w.studio, "frame");
-  for (int i = 0; i < 1000 && (w.state.flight || i == 0); ++i) w.frames(1);
-  CHECK(glm::length(w.state.camera.target - to_glm(w.box(0).centre)) < 1e-9);
+  for (int i = 0; i < 1000 && (w.state.pane().flight || i == 0); ++i) w.frames(1);
+  CHECK(glm::length(w.state.pane().camera.target - to_glm(w.box(0).centre)) < 1e-9);
 }
 
 TEST_CASE("the picture is drawn anew only when something changed") {
   Window w;
   for (int i = 0; i < 1000 && viewport_busy(w.state, w.studio.shape.shape_revision); ++i) w.frames(1);
-  CHECK(w.state.drawn_fine);
-  const auto drawn = w.state.drawn;
+  CHECK(w.state.pane().drawn_fine);
+  const auto drawn = w.state.pane().drawn;
   w.frames(3);
-  CHECK(w.state.drawn_fine);
-  CHECK(w.state.drawn == drawn);
+  CHECK(w.state.pane().drawn_fine);
+  CHECK(w.state.pane().drawn == drawn);
   w.studio.ui.part = 1;
   w.frames(1);
-  CHECK_FALSE(w.state.drawn_fine);
+  CHECK_FALSE(w.state.pane().drawn_fine);
 }
 
 TEST_CASE("another way to navigate: Blender's buttons") {
   Window w;
   w.studio.settings.navigation = "blender";
-  const Camera before = w.state.camera;
+  const Camera before = w.state.pane().camera;
   w.drag({60, 60}, {160, 110}, 0);
-  CHECK(w.state.camera == before);
+  CHECK(w.state.pane().camera == before);
   w.drag({60, 60}, {160, 110}, 2);
-  CHECK(w.state.camera.yaw != before.yaw);
+  CHECK(w.state.pane().camera.yaw != before.yaw);
+}
+
+namespace {
+
+// The four views at once; what is pressed is pressed in the pane.
+struct FourViews : Window {
+  FourViews() {
+    studio.ui.part = 1;
+    run_command(studio, "four-views");
+    frames(2);
+    for (ViewPane& pane : state.panes) frame(pane.camera, {400, 300}, {-1.5, -1, -1}, {1.5, 1, 1});
+    frames(3);
+  }
+  Target target(const std::string& name) const {
+    for (const Target& each : studio.targets)
+      if (each.name == name) return each;
+    FAIL(name << " was not drawn");
+    return {};
+  }
+  Target area_of(std::size_t pane) const {
+    return target(pane == 0 ? "viewport" : "viewport:" + std::to_string(pane));
+  }
+  glm::dvec2 screen_of(std::size_t pane, const Vec3& place) const {
+    const Target t = area_of(pane);
+    const Viewport size{static_cast<int>(t.high_x - t.low_x), static_cast<int>(t.high_y - t.low_y)};
+    return glm::dvec2(t.low_x, t.low_y) + *to_screen(state.panes[pane].camera, size, to_glm(place));
+  }
+  void mouse_at(const glm::dvec2& at) {
+    io.MousePos = {static_cast<float>(at.x), static_cast<float>(at.y)};
+    frames(2);
+  }
+  void drag_on_screen(const glm::dvec2& from, const glm::dvec2& to) {
+    mouse_at(from);
+    io.MouseDown[0] = true;
+    frames(1);
+    for (const double t : {0.3, 0.6, 1.0}) mouse_at(glm::mix(from, to, t));
+    io.MouseDown[0] = false;
+    frames(1);
+  }
+  void click_target(const std::string& name) {
+    const Target t = target(name);
+    drag_on_screen({(t.low_x + t.high_x) / 2, (t.low_y + t.high_y) / 2},
+                   {(t.low_x + t.high_x) / 2, (t.low_y + t.high_y) / 2});
+    frames(2);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a box is dragged in each of the four views, and is the same in all") {
+  FourViews w;
+  const std::size_t steps = w.steps();
+  struct Case {
+    PaneKind pane;
+    Vec3 side;  // the face that is pulled by 0.2 outwards
+  };
+  std::size_t count = 0;
+  for (const auto& [pane, side] :
+       {Case{PaneKind::top, Vec3(0, 0, 1)}, Case{PaneKind::front, Vec3(1, 0, 0)},
+        Case{PaneKind::right, Vec3(0, 1, 0)}, Case{PaneKind::perspective, Vec3(1, 0, 0)}}) {
+    const auto index = static_cast<std::size_t>(pane);
+    CAPTURE(index);
+    const Box before = w.box(1);
+    const Vec3 face = before.to_world(side);
+    w.drag_on_screen(w.screen_of(index, face), w.screen_of(index, face + 0.2 * side));
+    CHECK(w.state.current == index);
+    CHECK(w.steps() == steps + ++count);
+    CHECK((w.box(1).half_extent - before.half_extent).dot(side) == doctest::Approx(0.1).epsilon(0.1));
+    CHECK((w.box(1).to_world(-side) - before.to_world(-side)).norm() < 1e-9);
+    for (const ViewPane& other : w.state.panes) {
+      REQUIRE(other.drawn);
+      CHECK(other.drawn->document_revision == w.studio.history.revision());
+    }
+  }
+}
+
+TEST_CASE("boxes are picked in each of the four views; only the one in perspective turns") {
+  FourViews w;
+  for (const std::size_t pane : {1, 2, 0}) {
+    const std::size_t part = pane == 2 ? 1 : 0;
+    const glm::dvec2 at = w.screen_of(pane, w.box(part).to_world(Vec3(0.6, 0.6, 0.6)));
+    w.studio.ui.part.reset();
+    w.frames(1);
+    w.drag_on_screen(at, at);
+    CHECK(w.studio.ui.part == part);
+  }
+  w.studio.ui.part.reset();
+  w.frames(1);
+  for (std::size_t pane = 0; pane < pane_count; ++pane) {
+    const Target t = w.area_of(pane);
+    const auto cameras = [&] {
+      std::vector<Camera> all;
+      for (const ViewPane& each : w.state.panes) all.push_back(each.camera);
+      return all;
+    };
+    const std::vector<Camera> before = cameras();
+    w.drag_on_screen({t.low_x + 12, t.high_y - 90}, {t.low_x + 50, t.high_y - 70});
+    std::vector<Camera> after = cameras();
+    CHECK((after[pane].yaw != before[pane].yaw) == (pane == 0));
+    CHECK((after[pane].target != before[pane].target) == (pane != 0));
+    w.io.MouseWheel = 1;
+    w.frames(1);
+    w.io.MouseWheel = 0;
+    after = cameras();
+    CHECK(after[pane].distance < before[pane].distance);
+    for (std::size_t other = 0; other < pane_count; ++other)
+      if (other != pane) CHECK(after[other] == before[other]);
+  }
+}
+
+TEST_CASE("a click on the name of a view makes it large, and brings all four back") {
+  FourViews w;
+  for (const char* name : {"Top", "Perspective"}) {
+    w.click_target(std::string("pane:") + name);
+    CHECK_FALSE(w.studio.ui.view.four_views);
+    CHECK(w.state.shown == std::vector<std::size_t>{w.state.current});
+    const Target large = w.area_of(w.state.current);
+    CHECK(large.high_x - large.low_x > 500);
+    w.click_target(std::string("pane:") + name);
+    CHECK(w.studio.ui.view.four_views);
+    CHECK(w.state.shown.size() == pane_count);
+  }
+  // A command that looks from somewhere brings the view that can into sight.
+  w.click_target("pane:Front");
+  run_command(w.studio, "view-left");
+  w.frames(2);
+  CHECK(w.state.current == 0);
 }
