@@ -110,7 +110,7 @@ void add_strip_commands(std::vector<Command>& commands) {
           {.name = "strip-add",
            .title = "Strip: add the shape in view",
            .menu = "Shape",
-           .key = "Shift+T",
+           .key = "Ctrl+T",
            .arguments = "[NAME]",
            .run = add_command,
            .why_not = needs_collection},

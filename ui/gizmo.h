@@ -68,4 +68,9 @@ struct DragModifiers {
 Box dragged_box(const BoxDrag& drag, const GizmoView& view, const glm::dvec2& cursor,
                 const DragModifiers& modifiers);
 
+// How far the cursor went along a line through a point, in units of `direction`, from one pixel to another; 0
+// where that cannot be told.
+double moved_along(const GizmoView& view, const Vec3& point, const Vec3& direction, const glm::dvec2& from,
+                   const glm::dvec2& to);
+
 }  // namespace archetype

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/spread_mouse.h"
 #include "ui/studio.h"
 #include "ui/viewport_mouse.h"
 #include "ui/viewport_overlay.h"
@@ -141,11 +142,13 @@ void draw_overlay(Studio& studio, const PlacedPane& placed, const GizmoView& vie
   const auto of_mouse = state.drag ? std::optional(state.drag->handle) : state.handle;
   const auto highlighted = placed.index == state.current ? of_mouse : std::nullopt;
   draw_handles(draw, origin, shapes, highlighted, view.scale);
+  draw_spread_dots(studio, draw, origin, view);
   draw_axes(draw, origin, view, ImGui::GetColorU32(colours(studio).text));
   draw.PopClipRect();
 }
 
 std::vector<HandleShape> handles_of_selection(const Studio& studio, const GizmoView& view) {
+  if (studio.ui.view.spread) return {};  // they would lie among the dots of the spread
   const PartTemplate* active = studio.history.current().active_template();
   if (studio.ui.look || !active || !studio.ui.part || *studio.ui.part >= active->parts.size() ||
       !studio.ui.view.mean_boxes)
@@ -171,6 +174,7 @@ void follow_mouse_in(Studio& studio, const std::vector<PlacedPane>& panes) {
   for (std::size_t i = 0; i < panes.size(); ++i) {
     if (panes[i].index != state.current) continue;
     const GizmoView view = view_of(studio, panes[i]);
+    if (follow_spread(studio, inputs[i], view)) continue;
     follow_mouse(studio, inputs[i], make_viewport_scene(content_of(studio)), view,
                  handles_of_selection(studio, view));
   }

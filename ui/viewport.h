@@ -9,6 +9,7 @@
 #include "render/renderer.h"
 #include "ui/gizmo.h"
 #include "ui/shape_display.h"
+#include "ui/spread_handles.h"
 #include "ui/view_panes.h"
 #include "ui/viewport_scene.h"
 
@@ -17,7 +18,7 @@ namespace archetype {
 struct Studio;
 
 // What the mouse button that is down does.
-enum class MouseAction { none, click, orbit, pan, zoom, handle };  // click: until it moves
+enum class MouseAction { none, click, orbit, pan, zoom, handle, spread };  // click: until it moves
 
 // What the viewport keeps from frame to frame. Needs the window's OpenGL context, also when it dies.
 struct ViewportState {
@@ -35,11 +36,14 @@ struct ViewportState {
   MouseAction after_click = MouseAction::none;  // what a click becomes once it moves
   glm::dvec2 pressed_at{0, 0};                  // pixels of the current pane
   glm::dvec2 last_cursor{0, 0};
-  std::optional<BoxDrag> drag;         // while action is handle
-  std::size_t drag_part = 0;           // whose box it drags
-  bool drag_previewed = false;         // it has changed the document
-  std::optional<Handle> handle;        // under the cursor
-  std::optional<std::size_t> hovered;  // the part whose box is under the cursor
+  std::optional<BoxDrag> drag;                // while action is handle
+  std::size_t drag_part = 0;                  // whose box it drags
+  bool drag_previewed = false;                // it has changed the document
+  std::optional<Handle> handle;               // under the cursor
+  std::optional<SpreadDrag> spread_drag;      // while action is spread
+  bool spread_previewed = false;              // it has changed the document
+  std::optional<SpreadHandle> spread_handle;  // under the cursor
+  std::optional<std::size_t> hovered;         // the part whose box is under the cursor
 
   ShapeDisplay display;
   ShapeColours colours;

@@ -94,6 +94,32 @@ void add_mean_boxes(const ViewportContent& content, Scene& scene) {
   }
 }
 
+// As in the figures of the paper: an ellipsoid of one standard deviation of the position at the centre, and
+// through the middle of each side a dashed line over one standard deviation of the half extent to either way.
+void add_spread(const ViewportContent& content, Scene& scene) {
+  const auto& parts = content.part_template->parts;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const TemplatePart& part = parts[i];
+    const bool chosen = content.selected == i;
+    const Rgb colour = part_colour(static_cast<int>(i));
+    SceneEllipsoid ellipsoid{.axes = {part.position.mean, part.position.stddev}, .colour = colour};
+    ellipsoid.opacity = chosen ? 0.5F : 0.3F;
+    scene.ellipsoids.push_back(ellipsoid);
+    for (int k = 0; k < 3; ++k)
+      for (const double side : {-1.0, 1.0}) {
+        const Vec3 out = part.orientation * Vec3(side * Vec3::Unit(k));
+        const double inner = std::max(part.scale.mean[k] - part.scale.stddev[k], 0.0);
+        SceneLine line;
+        line.from = to_glm(Vec3(part.position.mean + inner * out));
+        line.to = to_glm(Vec3(part.position.mean + (part.scale.mean[k] + part.scale.stddev[k]) * out));
+        line.colour = contrasting(colour, content.backdrop, chosen ? 0.6 : 0.25);
+        line.width = chosen ? 2.2F : 1.6F;
+        line.dash = 4;
+        scene.lines.push_back(line);
+      }
+  }
+}
+
 void add_fitted_boxes(const ViewportContent& content, Scene& scene) {
   const ShapeFit& fit = content.fit->fit;
   for (std::size_t i = 0; i < fit.parts.size(); ++i) {
@@ -128,6 +154,7 @@ Scene make_viewport_scene(const ViewportContent& content) {
   if (const auto extent = shape_extent(content)) scene.ground = static_cast<float>(extent->first.y);
   add_shape(content, scene);
   if (content.part_template && content.view.mean_boxes) add_mean_boxes(content, scene);
+  if (content.part_template && content.view.mean_boxes && content.view.spread) add_spread(content, scene);
   if (content.fit && content.view.fitted_boxes) add_fitted_boxes(content, scene);
   return scene;
 }

@@ -150,3 +150,25 @@ TEST_CASE("a large mesh is drawn coarser while something moves, with the same co
   content.moving = true;
   CHECK(make_viewport_scene(content).meshes[0].geometry == content.display.coarse);
 }
+
+TEST_CASE("the spread is an ellipsoid for the position and two dashed lines an axis for the size") {
+  PartTemplate one;
+  TemplatePart part;
+  part.position = {Vec3(1, 2, 3), Vec3(0.1, 0.2, 0.3)};
+  part.scale = {Vec3(0.5, 0.6, 0.7), Vec3(0.1, 0.2, 0.9)};
+  one.parts.push_back(part);
+  ViewportContent content;
+  content.part_template = &one;
+  CHECK(make_viewport_scene(content).ellipsoids.empty());
+  content.view.spread = true;
+  const Scene scene = make_viewport_scene(content);
+  REQUIRE(scene.ellipsoids.size() == 1);
+  CHECK(scene.ellipsoids[0].axes.centre == part.position.mean);
+  CHECK(scene.ellipsoids[0].axes.half_extent == part.position.stddev);
+  REQUIRE(scene.lines.size() == 6);
+  for (const SceneLine& line : scene.lines) CHECK(line.dash > 0);
+  CHECK(scene.lines[1].from.x == doctest::Approx(1.4));
+  CHECK(scene.lines[1].to.x == doctest::Approx(1.6));
+  CHECK(scene.lines[5].from.z == doctest::Approx(3));  // not beyond the centre
+  CHECK(scene.lines[5].to.z == doctest::Approx(4.6));
+}
