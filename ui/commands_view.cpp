@@ -23,6 +23,11 @@ void toggle_colour(Studio& studio, Arguments) {
   colour = colour == SurfaceColour::part ? SurfaceColour::plain : SurfaceColour::part;
 }
 
+void toggle_heat(Studio& studio, Arguments) {
+  SurfaceColour& colour = studio.ui.view.colour;
+  colour = colour == SurfaceColour::cost ? SurfaceColour::part : SurfaceColour::cost;
+}
+
 bool colour_is_part(const Studio& studio) {
   return studio.ui.view.colour == SurfaceColour::part;
 }
@@ -149,6 +154,12 @@ void add_view_commands(std::vector<Command>& commands) {
            .key = "C",
            .run = toggle_colour,
            .checked = colour_is_part},
+          {.name = "heat-map",
+           .title = "Colour by how badly points are explained",
+           .menu = "View",
+           .key = "H",
+           .run = toggle_heat,
+           .checked = [](const Studio& s) { return s.ui.view.colour == SurfaceColour::cost; }},
           {.name = "boxes",
            .title = "Template boxes",
            .menu = "View",

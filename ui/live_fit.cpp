@@ -6,6 +6,8 @@
 
 #include "core/fitting/fit_template.h"
 #include "core/fitting/point_graph.h"
+#include "core/fitting/sample_costs.h"
+#include "core/fitting/template_surface.h"
 
 namespace archetype {
 namespace {
@@ -26,9 +28,9 @@ bool can_go_on(const LiveFitRequest& request) {
 // the shape would turn in the view each time. Another yaw than the one shown has to be better by this share.
 constexpr double yaw_margin = 0.01;
 
-std::optional<ShapeFit> fit_at_any_yaw(const LiveFitRequest& request, const JobControl& control) {
-  std::optional<ShapeFit> fit =
-      fit_template(*request.part_template, *request.samples, request.options, control);
+std::optional<ShapeFit> fit_at_any_yaw(const PartTemplate& part_template, const LiveFitRequest& request,
+                                       const JobControl& control) {
+  std::optional<ShapeFit> fit = fit_template(part_template, *request.samples, request.options, control);
   const int shown = request.start ? request.start->fit.yaw_quarters : 0;
   if (!fit || fit->yaw_quarters == shown) return fit;
   const auto energy_at = [&](int yaw) { return fit->yaw_energies[static_cast<std::size_t>(yaw)]; };
@@ -36,7 +38,7 @@ std::optional<ShapeFit> fit_at_any_yaw(const LiveFitRequest& request, const JobC
   FitOptions options = request.options;
   options.yaw_costs.fill(std::numeric_limits<double>::infinity());
   options.yaw_costs[static_cast<std::size_t>(shown)] = 0;
-  std::optional<ShapeFit> same = fit_template(*request.part_template, *request.samples, options, control);
+  std::optional<ShapeFit> same = fit_template(part_template, *request.samples, options, control);
   if (same) same->yaw_energies = fit->yaw_energies;
   return same;
 }
@@ -71,17 +73,20 @@ std::optional<LiveFitResult> LiveFitter::run(const LiveFitRequest& request, cons
   result.shape_revision = request.shape_revision;
   try {
     const Clock::time_point start = Clock::now();
-    const PartTemplate& part_template = *request.part_template;
+    // A third of what following a fit takes: once for all that asks for it.
+    const PartTemplate part_template = with_expected_features(*request.part_template);
     std::optional<ShapeFit> fit = can_go_on(request)
                                       ? follow_template(part_template, *request.samples, graph(request),
                                                         request.start->fit, request.options, control)
-                                      : fit_at_any_yaw(request, control);
+                                      : fit_at_any_yaw(part_template, request, control);
     if (!fit) return std::nullopt;
     result.fit_milliseconds = milliseconds_since(start);
 
     const Clock::time_point labelling = Clock::now();
-    ViewFit view{request.part_template, std::move(*fit), {}};
+    ViewFit view{request.part_template, std::move(*fit), {}, {}, {}};
+    view.sample_costs = sample_costs(part_template, *request.samples, view.fit, request.options);
     if (request.mesh) view.element_labels = label(request, view.fit, control);
+    if (labeller_ && request.mesh) view.element_costs = labeller_->interpolate(view.sample_costs);
     result.label_milliseconds = milliseconds_since(labelling);
     result.fit = std::make_shared<const ViewFit>(std::move(view));
   } catch (const std::exception& error) {

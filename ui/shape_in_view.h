@@ -20,6 +20,8 @@ struct ViewFit {
   std::shared_ptr<const PartTemplate> part_template;  // the one that was fitted
   ShapeFit fit;
   std::vector<std::int16_t> element_labels;  // a part index per face of the file, or null_label
+  std::vector<double> sample_costs;          // see core/fitting/sample_costs.h
+  std::vector<float> element_costs;          // the same for every face
 };
 
 // The names of the parts that must exist and were not found.

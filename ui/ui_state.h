@@ -15,7 +15,8 @@
 
 namespace archetype {
 
-enum class SurfaceColour { part, plain };
+// Cost: the samples, by how badly the template explains them.
+enum class SurfaceColour { part, plain, cost };
 
 // The switches of the View menu.
 struct ViewOptions {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/heat_map.h"
 #include "ui/spread_mouse.h"
 #include "ui/studio.h"
 #include "ui/viewport_mouse.h"
@@ -43,11 +44,13 @@ void take_over_shape(Studio& studio) {
   }
   if (auto made = state.coarse_worker.poll(); made && made->shape_revision == state.display.shape_revision)
     state.display.coarse = std::move(made->mesh);
-  if (state.coloured_fit == shape.fit_revision && state.coloured_display == state.display.shape_revision)
+  if (state.coloured_fit == shape.fit_revision && state.coloured_display == state.display.shape_revision &&
+      state.coloured_by == studio.ui.view.colour)
     return;
+  state.coloured_by = studio.ui.view.colour;
   state.coloured_fit = shape.fit_revision;
   state.coloured_display = state.display.shape_revision;
-  state.colours = shape.fit ? colours_of_fit(*shape.fit, state.display) : ShapeColours{};
+  state.colours = shape.fit ? colours_of_fit(*shape.fit, state.display, state.coloured_by) : ShapeColours{};
 }
 
 bool moving(const ViewportState& state) {
@@ -143,6 +146,8 @@ void draw_overlay(Studio& studio, const PlacedPane& placed, const GizmoView& vie
   const auto highlighted = placed.index == state.current ? of_mouse : std::nullopt;
   draw_handles(draw, origin, shapes, highlighted, view.scale);
   draw_spread_dots(studio, draw, origin, view);
+  if (studio.ui.view.colour == SurfaceColour::cost && state.colours.samples)
+    draw_heat_legend(draw, studio.fonts, colours(studio), {origin.x + size.x, origin.y + size.y});
   draw_axes(draw, origin, view, ImGui::GetColorU32(colours(studio).text));
   draw.PopClipRect();
 }

@@ -49,6 +49,7 @@ struct ViewportState {
   ShapeColours colours;
   std::uint64_t coloured_fit = 0;  // revisions that `colours` are of
   std::uint64_t coloured_display = 0;
+  SurfaceColour coloured_by = SurfaceColour::part;
   std::uint64_t asked_display = 0;  // shape revision of the newest request
 
   Renderer renderer;

@@ -6,6 +6,7 @@
 
 #include "render/convert.h"
 #include "render/thumbnails.h"
+#include "ui/heat_map.h"
 
 namespace archetype {
 namespace {
@@ -53,28 +54,32 @@ Rgb contrasting(const Rgb& colour, Backdrop backdrop, double share) {
 void add_shape(const ViewportContent& content, Scene& scene) {
   const ViewOptions& view = content.view;
   const glm::mat4 turn = shape_to_scene(content.fit);
-  const bool by_part = view.colour == SurfaceColour::part;
+  const bool coloured = view.colour != SurfaceColour::plain;
   const Rgb plain = plain_colour(content.backdrop);
   if (content.display.mesh && (view.surface || view.wireframe)) {
     const bool coarse = content.moving && content.display.coarse;
     SceneMesh mesh{.geometry = coarse ? content.display.coarse : content.display.mesh,
                    .colour = plain,
                    .transform = turn};
-    if (by_part) mesh.face_colours = content.colours.elements;
+    if (coloured) mesh.face_colours = content.colours.elements;
     mesh.surface = view.surface;
     mesh.edges = view.wireframe;
     scene.meshes.push_back(std::move(mesh));
   }
   if (content.display.points && (view.surface || view.points)) {
     ScenePoints points{.geometry = content.display.points, .colour = plain, .transform = turn};
-    if (by_part) points.colours = content.colours.elements;
+    if (coloured) points.colours = content.colours.elements;
     scene.points.push_back(std::move(points));
   }
   // Without its file a shape is still seen by its samples.
   const bool no_file = !content.display.mesh && !content.display.points;
-  if (content.display.samples && (view.points || no_file)) {
+  // Large faces have one colour each: there the samples tell more.
+  const bool large_faces = content.display.mesh && content.display.samples &&
+                           content.display.mesh->face_count < content.display.samples->positions.size();
+  const bool heat = view.colour == SurfaceColour::cost && large_faces;
+  if (content.display.samples && (view.points || no_file || heat)) {
     ScenePoints samples{.geometry = content.display.samples, .colour = plain, .transform = turn};
-    if (by_part) samples.colours = content.colours.samples;
+    if (coloured) samples.colours = content.colours.samples;
     if (view.surface && !no_file) samples.radius = 0.35F * samples.geometry->spacing;
     scene.points.push_back(std::move(samples));
   }
@@ -134,16 +139,22 @@ void add_fitted_boxes(const ViewportContent& content, Scene& scene) {
 
 }  // namespace
 
-ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display) {
+ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display, SurfaceColour by) {
   ShapeColours colours;
   // While another shape is being loaded the labels may still be those of the one before.
   const std::size_t elements = display.mesh     ? display.mesh->face_count
                                : display.points ? display.points->positions.size()
                                                 : 0;
-  if (elements > 0 && fit.element_labels.size() == elements)
+  const std::size_t samples = display.samples ? display.samples->positions.size() : 0;
+  const bool heat = by == SurfaceColour::cost;
+  if (elements > 0 && !heat && fit.element_labels.size() == elements)
     colours.elements = colours_of_labels(fit.element_labels);
-  if (display.samples && fit.fit.labels.size() == display.samples->positions.size())
+  if (elements > 0 && heat && fit.element_costs.size() == elements)
+    colours.elements = heat_colours(std::span(fit.element_costs));
+  if (samples > 0 && !heat && fit.fit.labels.size() == samples)
     colours.samples = colours_of_labels(fit.fit.labels);
+  if (samples > 0 && heat && fit.sample_costs.size() == samples)
+    colours.samples = heat_colours(std::span(fit.sample_costs));
   return colours;
 }
 

@@ -14,12 +14,13 @@
 
 namespace archetype {
 
-// Colours by part of what is drawn; null where the fit has none for it.
+// Colours of what is drawn, by part or as a heat map; null where the fit has none for it.
 struct ShapeColours {
   std::shared_ptr<const Colours> elements;  // faces, or points of a point set
   std::shared_ptr<const Colours> samples;
 };
-ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display);
+ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display,
+                            SurfaceColour by = SurfaceColour::part);
 
 struct ViewportContent {
   const PartTemplate* part_template = nullptr;  // may be null

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/convert.h"
+#include "ui/heat_map.h"
 
 using namespace archetype;
 
@@ -171,4 +172,27 @@ TEST_CASE("the spread is an ellipsoid for the position and two dashed lines an a
   CHECK(scene.lines[1].to.x == doctest::Approx(1.6));
   CHECK(scene.lines[5].from.z == doctest::Approx(3));  // not beyond the centre
   CHECK(scene.lines[5].to.z == doctest::Approx(4.6));
+}
+
+TEST_CASE("as a heat map faces and samples take the colours of their costs, the dearer the lighter") {
+  const PartTemplate parts = two_parts();
+  ViewFit fit = fit_of(parts, 0);
+  fit.sample_costs = {0.1, 0.9, 5};
+  fit.element_costs = {0.5F};
+  ViewportContent content;
+  content.fit = &fit;
+  content.display = one_triangle();
+  content.view.colour = SurfaceColour::cost;
+  content.colours = colours_of_fit(fit, content.display, SurfaceColour::cost);
+  CHECK((*content.colours.elements)[0] == heat_colour(0.5));
+  CHECK((*content.colours.samples)[2] == heat_colour(1));
+  const Scene scene = make_viewport_scene(content);
+  CHECK(scene.meshes[0].face_colours == content.colours.elements);
+  REQUIRE(scene.points.size() == 1);  // one large face tells less than its three samples
+  CHECK(scene.points[0].colours == content.colours.samples);
+  fit.element_costs = {0.5F, 0.5F};  // of another shape
+  CHECK_FALSE(colours_of_fit(fit, content.display, SurfaceColour::cost).elements);
+  const auto lightness = [](const Rgb& c) { return 0.3 * c[0] + 0.59 * c[1] + 0.11 * c[2]; };
+  for (int i = 0; i < 20; ++i)
+    CHECK(lightness(heat_colour((i + 1) / 20.0)) > lightness(heat_colour(i / 20.0)));
 }
