@@ -114,7 +114,7 @@ void tell_problems(Studio& studio) {
   for (const std::string& problem :
        {studio.shape_loader.take_problem(), studio.live_fit.worker.take_problem(),
         studio.directory_reader.take_problem(), studio.viewport.coarse_worker.take_problem(),
-        studio.thumbnails.take_problem()})
+        studio.viewport.average_worker.take_problem(), studio.thumbnails.take_problem()})
     if (!problem.empty()) say(studio, Severity::error, problem);
 }
 

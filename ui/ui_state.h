@@ -27,6 +27,7 @@ struct ViewOptions {
   bool fitted_boxes = false;  // as deformed to the shape in view
   bool part_names = true;
   bool ground = true;
+  bool average = false;       // of the collection, as a ghost behind the shape
   bool spread = false;        // of the parts: ellipsoids for their positions, dashed lines for their sizes
   bool orthographic = false;  // of the view in perspective
   bool four_views = false;    // perspective, top, front and right at once

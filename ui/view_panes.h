@@ -35,6 +35,7 @@ struct PictureKey {
   std::shared_ptr<const PartTemplate> looked_at;
   std::uint64_t fit_revision = 0;
   std::uint64_t display_revision = 0;
+  std::shared_ptr<const PointGeometry> average;
   std::optional<std::size_t> selected;
   std::optional<std::size_t> hovered;
   friend bool operator==(const PictureKey&, const PictureKey&) = default;

@@ -53,6 +53,21 @@ void take_over_shape(Studio& studio) {
   state.colours = shape.fit ? colours_of_fit(*shape.fit, state.display, state.coloured_by) : ShapeColours{};
 }
 
+// Anew when the collection has changed and nothing writes to it any more.
+void take_over_average(Studio& studio) {
+  ViewportState& state = studio.viewport;
+  if (!studio.ui.view.average) {
+    if (std::exchange(state.asked_average, std::nullopt)) state.average_worker.cancel();
+    return;
+  }
+  if (!studio.collection.open()) state.average.reset();
+  if (auto made = state.average_worker.poll()) state.average = std::move(made);
+  const std::uint64_t revision = studio.collection.revision;
+  if (!studio.collection.open() || state.asked_average == revision || !studio.jobs.resting()) return;
+  state.asked_average = revision;
+  state.average_worker.request({studio.collection.path, revision}, true);
+}
+
 bool moving(const ViewportState& state) {
   return state.flying() || (state.action != MouseAction::none && state.action != MouseAction::click);
 }
@@ -64,6 +79,7 @@ ViewportContent content_of(const Studio& studio) {
   content.fit = studio.shape.fit.get();
   content.display = state.display;
   content.colours = state.colours;
+  content.average = state.average ? &*state.average : nullptr;
   content.view = studio.ui.view;
   if (!studio.ui.look) content.selected = studio.ui.part;
   content.hovered = state.hovered;
@@ -118,6 +134,7 @@ void draw_picture(Studio& studio, const Scene& scene, const PlacedPane& placed) 
   if (studio.ui.look) key.looked_at = studio.ui.look->part_template;
   key.fit_revision = state.coloured_fit;
   key.display_revision = state.display.shape_revision;
+  if (studio.ui.view.average && state.average) key.average = state.average->points;
   key.selected = studio.ui.part;
   key.hovered = state.hovered;
   const bool changed = pane.drawn != key;
@@ -200,7 +217,10 @@ void draw_pane(Studio& studio, const PlacedPane& placed) {
 }  // namespace
 
 ViewportState::ViewportState(const std::filesystem::path& shaders, std::function<void()> wake)
-    : renderer(shaders), worker(make_shape_display, wake), coarse_worker(make_coarse_mesh, std::move(wake)) {}
+    : renderer(shaders),
+      worker(make_shape_display, wake),
+      coarse_worker(make_coarse_mesh, wake),
+      average_worker(make_average_shape, std::move(wake)) {}
 
 bool ViewportState::flying() const {
   return std::ranges::any_of(shown, [&](std::size_t index) { return panes[index].flight.has_value(); });
@@ -209,6 +229,7 @@ bool ViewportState::flying() const {
 void draw_viewport(Studio& studio) {
   ViewportState& state = studio.viewport;
   take_over_shape(studio);
+  take_over_average(studio);
   draw_look_strip(studio);
   // Only one view turns.
   if (studio.ui.wanted_view && studio.ui.wanted_view != CameraView::home) state.current = 0;
@@ -228,7 +249,7 @@ bool viewport_busy(const ViewportState& state, std::uint64_t shape_revision) {
     const ViewPane& pane = state.panes[index];
     return pane.flight || (pane.drawn && !pane.drawn_fine && state.action == MouseAction::none);
   };
-  return !state.worker.idle() || state.asked_display != shape_revision ||
+  return !state.worker.idle() || !state.average_worker.idle() || state.asked_display != shape_revision ||
          std::ranges::any_of(state.shown, refining);
 }
 

@@ -52,10 +52,14 @@ struct ViewportState {
   SurfaceColour coloured_by = SurfaceColour::part;
   std::uint64_t asked_display = 0;  // shape revision of the newest request
 
+  std::optional<AverageShape> average;
+  std::optional<std::uint64_t> asked_average;  // revision of the collection of the newest request
+
   Renderer renderer;
 
   ShapeDisplayWorker worker;
   CoarseMeshWorker coarse_worker;
+  AverageWorker average_worker;
 };
 
 // Fills the current Dear ImGui window.

@@ -85,6 +85,13 @@ void add_shape(const ViewportContent& content, Scene& scene) {
   }
 }
 
+void add_average(const ViewportContent& content, Scene& scene) {
+  const AverageShape& average = *content.average;
+  ScenePoints ghost{.geometry = average.points, .behind = true};
+  ghost.colours = content.backdrop == Backdrop::light ? average.over_light : average.over_dark;
+  scene.points.push_back(std::move(ghost));
+}
+
 void add_mean_boxes(const ViewportContent& content, Scene& scene) {
   const auto& parts = content.part_template->parts;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -163,6 +170,7 @@ Scene make_viewport_scene(const ViewportContent& content) {
   scene.backdrop = content.backdrop;
   scene.grid = content.view.ground;
   if (const auto extent = shape_extent(content)) scene.ground = static_cast<float>(extent->first.y);
+  if (content.average && content.view.average) add_average(content, scene);
   add_shape(content, scene);
   if (content.part_template && content.view.mean_boxes) add_mean_boxes(content, scene);
   if (content.part_template && content.view.mean_boxes && content.view.spread) add_spread(content, scene);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "render/scene.h"
+#include "ui/average_shape.h"
 #include "ui/shape_display.h"
 #include "ui/ui_state.h"
 
@@ -27,6 +28,7 @@ struct ViewportContent {
   const ViewFit* fit = nullptr;                 // may be null, or of an older template
   ShapeDisplay display;
   ShapeColours colours;
+  const AverageShape* average = nullptr;  // may be null
   ViewOptions view;
   std::optional<std::size_t> selected;
   std::optional<std::size_t> hovered;

@@ -132,25 +132,3 @@ TEST_CASE("Of a collection that is closed no tile stays") {
   CHECK(members(window).empty());
   CHECK(window.studio().strip.tiles.empty());
 }
-
-TEST_CASE("H colours the shape in view by how badly it is explained, and back") {
-  TestWindow window;
-  window.open_chairs(1);
-  window.make_template();
-  const ViewportState& state = window.studio().viewport;
-  const auto by_part = state.colours.elements;
-  const Picture before = window.window().picture();
-  window.key("H");
-  window.settle();
-  const ViewFit& fit = *window.studio().shape.fit;
-  REQUIRE(fit.element_costs.size() == window.studio().shape.mesh->face_count());
-  CHECK(*state.colours.elements != *by_part);
-  CHECK_FALSE(window.window().picture() == before);
-  const auto worst = std::ranges::max_element(fit.element_costs) - fit.element_costs.begin();
-  const auto best = std::ranges::min_element(fit.element_costs) - fit.element_costs.begin();
-  CHECK((*state.colours.elements)[static_cast<std::size_t>(worst)][0] >
-        (*state.colours.elements)[static_cast<std::size_t>(best)][0]);
-  window.key("H");
-  window.settle();
-  CHECK(*state.colours.elements == *by_part);
-}
