@@ -36,6 +36,8 @@ void draw_tool_bar(Studio& studio) {
       {"surface", "Surface"}, {"wireframe", "Wires"},     {"points", "Points"},   {"part-colours", "Colours"},
       {"boxes", "Boxes"},     {"fitted-boxes", "Fitted"}, {"part-names", "Names"}};
   for (const auto& [command, label] : toggles) {
+    const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+    if (ImGui::GetContentRegionAvail().x < width) break;  // rather than cut off
     command_toggle(studio, command, label);
     ImGui::SameLine();
   }

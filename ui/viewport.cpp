@@ -163,7 +163,8 @@ void draw_overlay(Studio& studio, const PlacedPane& placed, const GizmoView& vie
   const auto highlighted = placed.index == state.current ? of_mouse : std::nullopt;
   draw_handles(draw, origin, shapes, highlighted, view.scale);
   draw_spread_dots(studio, draw, origin, view);
-  if (studio.ui.view.colour == SurfaceColour::cost && state.colours.samples)
+  const bool one_of_four = studio.ui.view.four_views && placed.index != 0;
+  if (studio.ui.view.colour == SurfaceColour::cost && state.colours.samples && !one_of_four)
     draw_heat_legend(draw, studio.fonts, colours(studio), {origin.x + size.x, origin.y + size.y});
   draw_axes(draw, origin, view, ImGui::GetColorU32(colours(studio).text));
   draw.PopClipRect();

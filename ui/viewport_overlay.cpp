@@ -108,6 +108,8 @@ std::optional<NameTag> place_name(const TemplatePart& part, std::size_t index, I
   const ImVec2 middle = at(origin, {0.5 * (left + right), top->y});
   NameTag tag{index, view_depth(view.camera, to_glm(box.centre)), {}, {}};
   tag.low = {middle.x - 0.5F * text.x - 6 * scale, middle.y - text.y - 9 * scale};
+  const bool just_above = tag.low.y < origin.y && middle.y > origin.y - text.y;
+  if (just_above) tag.low.y = origin.y + 2 * scale;  // rather than cut off
   tag.high = {tag.low.x + text.x + 12 * scale, tag.low.y + text.y + 5 * scale};
   return tag;
 }
