@@ -13,6 +13,7 @@ std::vector<Command> all_commands() {
   add_file_commands(commands);
   add_edit_commands(commands);
   add_template_commands(commands);
+  add_part_list_commands(commands);
   add_part_commands(commands);
   add_view_commands(commands);
   add_fit_commands(commands);

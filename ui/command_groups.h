@@ -11,6 +11,7 @@ namespace archetype {
 void add_file_commands(std::vector<Command>& commands);
 void add_edit_commands(std::vector<Command>& commands);
 void add_template_commands(std::vector<Command>& commands);
+void add_part_list_commands(std::vector<Command>& commands);
 void add_part_commands(std::vector<Command>& commands);
 void add_view_commands(std::vector<Command>& commands);
 void add_fit_commands(std::vector<Command>& commands);

@@ -9,10 +9,10 @@
 
 #include "core/geometry/box.h"
 #include "render/camera.h"
-#include "ui/ui_state.h"
 
 namespace archetype {
 
+enum class BoxTool { move, scale, rotate };
 enum class HandleKind { move_axis, move_plane, move_view, resize, rotate };
 
 struct Handle {

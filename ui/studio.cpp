@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ui/learning_actions.h"
+#include "ui/selection.h"
 
 namespace archetype {
 namespace {
@@ -93,7 +94,7 @@ void note_edit(Studio& studio) {
 
 void keep_selection_valid(Studio& studio) {
   const PartTemplate* active = studio.history.current().active_template();
-  if (studio.ui.part && (!active || *studio.ui.part >= active->parts.size())) studio.ui.part.reset();
+  keep_selection_within(studio.ui, active ? active->parts.size() : 0);
 }
 
 Navigation parse_navigation(const std::string& name) {

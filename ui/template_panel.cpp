@@ -6,6 +6,7 @@
 #include "ui/icons.h"
 #include "ui/panels.h"
 #include "ui/project_actions.h"
+#include "ui/selection.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
@@ -39,7 +40,7 @@ void draw_templates(Studio& studio, const Document& document) {
       ImGui::PushID(static_cast<int>(i));
       if (ImGui::Selectable(document.templates[i]->name.c_str(), i == document.active)) {
         select_template(studio.history, i);
-        studio.ui.part.reset();
+        select_only(studio.ui, std::nullopt);
       }
       mark_target(studio, "template:" + std::to_string(i));
       ImGui::PopID();
@@ -58,11 +59,21 @@ void draw_templates(Studio& studio, const Document& document) {
   command_button(studio, "delete-template", icon::trash, size);
 }
 
+void select_in_list(Studio& studio, std::size_t part) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.KeyShift)
+    select_up_to(studio.ui, part);
+  else if (io.KeyCtrl)
+    toggle_selected(studio.ui, part);
+  else
+    select_only(studio.ui, part);
+}
+
 void draw_part_row(Studio& studio, const TemplatePart& part, std::size_t index) {
   const Rgb rgb = part_colour(static_cast<int>(index));
   ImGui::PushID(static_cast<int>(index));
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  if (ImGui::Selectable("##part", studio.ui.part == index)) studio.ui.part = index;
+  if (ImGui::Selectable("##part", is_selected(studio.ui, index))) select_in_list(studio, index);
   mark_target(studio, "part:" + part.name);
   const float line = ImGui::GetTextLineHeight();
   const float side = line * 0.72f;
@@ -72,8 +83,9 @@ void draw_part_row(Studio& studio, const TemplatePart& part, std::size_t index) 
                       3 * studio.fonts.scale);
   const float right = low.x + ImGui::GetContentRegionAvail().x;
   const float text_x = swatch.x + side + 8 * studio.fonts.scale;
-  const std::string facts =
-      (part.must_exist ? "must exist  ·  " : "") + std::string("label ") + std::to_string(part.label);
+  const std::string facts = (part.mirror.pair > 0 ? "mirrored  ·  " : "") +
+                            std::string(part.must_exist ? "must exist  ·  " : "") + "label " +
+                            std::to_string(part.label);
   ImGui::PushFont(studio.fonts.small);
   const float facts_width = ImGui::CalcTextSize(facts.c_str()).x;
   draw->AddText({right - facts_width - 4 * studio.fonts.scale, low.y + 1 * studio.fonts.scale},
@@ -98,12 +110,15 @@ void draw_template_panel(Studio& studio) {
   if (active->parts.empty())
     muted_paragraph(studio, "No parts yet: add a box, then move and size it over the shape.");
   for (std::size_t i = 0; i < active->parts.size(); ++i) draw_part_row(studio, active->parts[i], i);
-  const float width = share_of_width(4);
+  const float width = share_of_width(3);
   command_button(studio, "add-part", std::string(icon::plus) + " Add", {width, 0});
   ImGui::SameLine();
-  command_button(studio, "duplicate-part", std::string(icon::copy) + " Copy", {width, 0});
+  command_button(studio, "duplicate-part", std::string(icon::copy) + " Double", {width, 0});
   ImGui::SameLine();
   command_button(studio, "mirror-part", std::string(icon::mirror) + " Mirror", {width, 0});
+  command_button(studio, "split-part", std::string(icon::split) + " Split", {width, 0});
+  ImGui::SameLine();
+  command_button(studio, "merge-parts", std::string(icon::merge) + " Merge", {width, 0});
   ImGui::SameLine();
   command_button(studio, "delete-part", std::string(icon::trash) + " Delete", {width, 0});
 }

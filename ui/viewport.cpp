@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/edit_overlay.h"
+#include "ui/selection.h"
 #include "ui/studio.h"
 #include "ui/viewport_mouse.h"
 #include "ui/viewport_overlay.h"
@@ -62,7 +64,10 @@ ViewportContent content_of(const Studio& studio) {
   content.display = state.display;
   content.colours = state.colours;
   content.view = studio.ui.view;
-  if (!studio.ui.look) content.selected = studio.ui.part;
+  if (!studio.ui.look) {
+    content.selected = studio.ui.part;
+    content.also_selected = studio.ui.also_selected;
+  }
   content.hovered = state.hovered;
   content.moving = moving(state);
   content.backdrop = studio.theme == Theme::light ? Backdrop::light : Backdrop::dark;
@@ -162,7 +167,7 @@ void draw_picture(Studio& studio, const Scene& scene, ImVec2 size) {
   if (studio.ui.look) key.looked_at = studio.ui.look->part_template;
   key.fit_revision = state.coloured_fit;
   key.display_revision = state.display.shape_revision;
-  key.selected = studio.ui.part;
+  key.selected = selected_parts(studio.ui);
   key.hovered = state.hovered;
   const bool changed = state.drawn != key;
   if (changed) state.changed_at = Clock::now();
@@ -186,16 +191,16 @@ void draw_overlay(Studio& studio, ImVec2 origin, ImVec2 size, const GizmoView& v
     draw_part_names(draw, origin, *shown, studio.ui.part, view);
   const auto highlighted = state.drag ? std::optional(state.drag->handle) : state.handle;
   draw_handles(draw, origin, shapes, highlighted, view.scale);
+  if (state.snapped) draw_snapped(draw, origin, *state.snapped, view);
+  draw_transform(studio, draw, origin, view);
   draw_axes(draw, origin, view, ImGui::GetColorU32(colours(studio).text));
   draw.PopClipRect();
 }
 
 std::vector<HandleShape> handles_of_selection(const Studio& studio, const GizmoView& view) {
-  const PartTemplate* active = studio.history.current().active_template();
-  if (studio.ui.look || !active || !studio.ui.part || *studio.ui.part >= active->parts.size() ||
-      !studio.ui.view.mean_boxes)
-    return {};
-  return handle_shapes(active->parts[*studio.ui.part].mean_box(), studio.ui.tool, view);
+  if (studio.ui.look || !studio.ui.view.mean_boxes) return {};
+  const std::optional<Box> held = held_box(selected_boxes(studio));
+  return held ? handle_shapes(*held, studio.ui.tool, view) : std::vector<HandleShape>{};
 }
 
 }  // namespace

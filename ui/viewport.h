@@ -7,10 +7,12 @@
 #include <memory>
 #include <optional>
 
+#include "core/session/actions.h"
 #include "render/camera.h"
 #include "render/renderer.h"
 #include "ui/gizmo.h"
 #include "ui/shape_display.h"
+#include "ui/snapping.h"
 #include "ui/viewport_scene.h"
 
 namespace archetype {
@@ -38,7 +40,7 @@ struct PictureKey {
   std::shared_ptr<const PartTemplate> looked_at;
   std::uint64_t fit_revision = 0;
   std::uint64_t display_revision = 0;
-  std::optional<std::size_t> selected;
+  std::vector<std::size_t> selected;
   std::optional<std::size_t> hovered;
   friend bool operator==(const PictureKey&, const PictureKey&) = default;
 };
@@ -57,7 +59,9 @@ struct ViewportState {
   glm::dvec2 pressed_at{0, 0};                  // pixels of the viewport
   glm::dvec2 last_cursor{0, 0};
   std::optional<BoxDrag> drag;         // while action is handle
-  std::size_t drag_part = 0;           // whose box it drags
+  std::vector<PlacedPart> drag_parts;  // what it drags, as it was
+  std::vector<SnapPlane> snap_planes;  // that it may snap to
+  std::optional<Snapped> snapped;      // what it snaps to now
   bool drag_previewed = false;         // it has changed the document
   std::optional<Handle> handle;        // under the cursor
   std::optional<std::size_t> hovered;  // the part whose box is under the cursor

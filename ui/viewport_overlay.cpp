@@ -114,6 +114,10 @@ std::optional<NameTag> place_name(const TemplatePart& part, std::size_t index, I
 
 }  // namespace
 
+ImU32 axis_colour(int axis) {
+  return axis_colours[static_cast<std::size_t>(axis)];
+}
+
 void draw_handles(ImDrawList& draw, ImVec2 origin, const std::vector<HandleShape>& shapes,
                   const std::optional<Handle>& highlighted, double scale) {
   for (const HandleShape& shape : shapes)

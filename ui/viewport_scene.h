@@ -21,6 +21,10 @@ struct ShapeColours {
 };
 ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display);
 
+// The corners of the shape as it is drawn, turned by its fit; nothing where there is none.
+std::optional<std::pair<glm::dvec3, glm::dvec3>> shape_extent(const ShapeDisplay& display,
+                                                              const ViewFit* fit);
+
 struct ViewportContent {
   const PartTemplate* part_template = nullptr;  // may be null
   const ViewFit* fit = nullptr;                 // may be null, or of an older template
@@ -28,6 +32,7 @@ struct ViewportContent {
   ShapeColours colours;
   ViewOptions view;
   std::optional<std::size_t> selected;
+  std::vector<std::size_t> also_selected;
   std::optional<std::size_t> hovered;
   bool moving = false;  // quick rather than exact: a large mesh is drawn coarser
   Backdrop backdrop = Backdrop::dark;
