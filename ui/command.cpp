@@ -15,6 +15,7 @@ std::vector<Command> all_commands() {
   add_template_commands(commands);
   add_part_list_commands(commands);
   add_part_commands(commands);
+  add_point_commands(commands);
   add_view_commands(commands);
   add_fit_commands(commands);
   add_learning_commands(commands);

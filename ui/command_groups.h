@@ -13,6 +13,7 @@ void add_edit_commands(std::vector<Command>& commands);
 void add_template_commands(std::vector<Command>& commands);
 void add_part_list_commands(std::vector<Command>& commands);
 void add_part_commands(std::vector<Command>& commands);
+void add_point_commands(std::vector<Command>& commands);
 void add_view_commands(std::vector<Command>& commands);
 void add_fit_commands(std::vector<Command>& commands);
 void add_learning_commands(std::vector<Command>& commands);

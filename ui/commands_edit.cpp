@@ -42,6 +42,10 @@ void cancel_command(Studio& studio, Arguments) {
     studio.history.cancel_preview();
     studio.ui.cancel_drag = true;
     studio.ui.status = "Cancelled";
+  } else if (studio.ui.points.tool != PointTool::none) {
+    take_point_tool(studio, PointTool::none);
+  } else if (!selected_points(studio).empty()) {
+    studio.ui.points.selected.clear();
   } else if (studio.ui.look) {
     stop_looking(studio);
   } else {

@@ -64,7 +64,7 @@ void draw_help_window(Studio& studio) {
     muted_paragraph(studio,
                     "The third column is the name for scripts. Ctrl+P finds a command by any of its words.");
     draw_mouse(studio);
-    for (const char* menu : {"File", "Edit", "Template", "Part", "Shape", "View", "Window", "Help"})
+    for (const char* menu : {"File", "Edit", "Template", "Part", "Points", "Shape", "View", "Window", "Help"})
       draw_menu(studio, menu, menu);
     draw_menu(studio, "", "Only in scripts and the palette");
   }

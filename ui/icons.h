@@ -13,6 +13,7 @@ inline constexpr const char* plus = "\xef\x81\xa7";         // f067
 inline constexpr const char* copy = "\xef\x83\x85";         // f0c5
 inline constexpr const char* trash = "\xef\x80\x94";        // f014
 inline constexpr const char* mirror = "\xef\x81\xbe";       // f07e
+inline constexpr const char* draw = "\xef\x81\x80";         // f040
 inline constexpr const char* snap = "\xef\x81\xb6";         // f076
 inline constexpr const char* split = "\xef\x83\x84";        // f0c4
 inline constexpr const char* merge = "\xef\x81\xa6";        // f066

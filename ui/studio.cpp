@@ -114,8 +114,8 @@ void follow_changed_file(Studio& studio) {
 void tell_problems(Studio& studio) {
   for (const std::string& problem :
        {studio.shape_loader.take_problem(), studio.live_fit.worker.take_problem(),
-        studio.directory_reader.take_problem(), studio.viewport.coarse_worker.take_problem(),
-        studio.thumbnails.take_problem()})
+        studio.region_worker.take_problem(), studio.directory_reader.take_problem(),
+        studio.viewport.coarse_worker.take_problem(), studio.thumbnails.take_problem()})
     if (!problem.empty()) say(studio, Severity::error, problem);
 }
 
@@ -157,6 +157,7 @@ Studio::Studio(StudioOptions given)
       autosave(options.wake),
       directory_reader(list_directory, options.wake),
       live_fit(options.wake),
+      region_worker(find_surface_regions, options.wake),
       thumbnails(options.shaders, options.wake),
       jobs(options.wake) {}
 
@@ -195,9 +196,9 @@ void frame_shown(Studio& studio) {
 
 bool settled(const Studio& studio) {
   return !studio.drag && !studio.wanted_picture && studio.jobs.resting() && studio.shape_loader.idle() &&
-         studio.live_fit.worker.idle() && studio.rows_reader.idle() && studio.directory_reader.idle() &&
-         studio.autosave.saver.idle() && studio.thumbnails.idle() && !studio.live_fit.newly_shown &&
-         studio.live_fit.asked_shape == studio.shape.shape_revision &&
+         studio.live_fit.worker.idle() && studio.region_worker.idle() && studio.rows_reader.idle() &&
+         studio.directory_reader.idle() && studio.autosave.saver.idle() && studio.thumbnails.idle() &&
+         !studio.live_fit.newly_shown && studio.live_fit.asked_shape == studio.shape.shape_revision &&
          !viewport_busy(studio.viewport, studio.shape.shape_revision);
 }
 

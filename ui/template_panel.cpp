@@ -116,6 +116,11 @@ void draw_template_panel(Studio& studio) {
   command_button(studio, "duplicate-part", std::string(icon::copy) + " Double", {width, 0});
   ImGui::SameLine();
   command_button(studio, "mirror-part", std::string(icon::mirror) + " Mirror", {width, 0});
+  command_button(studio, "draw-box", std::string(icon::draw) + " Draw", {width, 0});
+  ImGui::SameLine();
+  command_button(studio, "box-of-piece", std::string(icon::cube) + " Piece", {width, 0});
+  ImGui::SameLine();
+  command_button(studio, "box-of-segment", std::string(icon::cubes) + " Segment", {width, 0});
   command_button(studio, "split-part", std::string(icon::split) + " Split", {width, 0});
   ImGui::SameLine();
   command_button(studio, "merge-parts", std::string(icon::merge) + " Merge", {width, 0});

@@ -11,6 +11,7 @@
 #include "core/io/project.h"
 #include "core/learning/initial_templates.h"
 #include "ui/collection.h"
+#include "ui/point_tools.h"
 #include "ui/template_look.h"
 #include "ui/typed_transform.h"
 
@@ -100,7 +101,8 @@ struct UiState {
   BoxTool tool = BoxTool::move;
   bool snapping = false;                    // dragged boxes snap; Ctrl held turns it round
   std::optional<TypedTransform> transform;  // G, S or R was pressed
-  std::optional<int> drag_axis;             // of the box, 0 to 2: the drag under way keeps to it (X, Y, Z)
+  PointToolState points;
+  std::optional<int> drag_axis;  // of the box, 0 to 2: the drag under way keeps to it (X, Y, Z)
   Navigation navigation = Navigation::archetype;  // that of the settings
   // Wishes of commands to the viewport, which clears them once it has followed.
   std::optional<CameraView> wanted_view;

@@ -193,6 +193,7 @@ void draw_overlay(Studio& studio, ImVec2 origin, ImVec2 size, const GizmoView& v
   draw_handles(draw, origin, shapes, highlighted, view.scale);
   if (state.snapped) draw_snapped(draw, origin, *state.snapped, view);
   draw_transform(studio, draw, origin, view);
+  draw_point_tool(studio, draw, origin, view);
   draw_axes(draw, origin, view, ImGui::GetColorU32(colours(studio).text));
   draw.PopClipRect();
 }

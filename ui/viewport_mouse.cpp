@@ -9,6 +9,7 @@
 
 #include "core/session/actions.h"
 #include "render/picking.h"
+#include "ui/point_tools.h"
 #include "ui/selection.h"
 #include "ui/studio.h"
 
@@ -159,6 +160,7 @@ void follow_mouse(Studio& studio, const MouseInput& mouse, const Scene& scene, c
     zoom(state.camera, view.viewport, mouse.cursor, std::pow(zoom_per_notch, mouse.wheel));
   }
   if (studio.ui.transform) return follow_transform(studio, mouse, view);
+  if (follow_point_tool(studio, mouse, view)) return;
   if (state.action == MouseAction::none) hover(studio, mouse, scene, view, shapes);
   if (mouse.pressed) begin(studio, mouse);
   if (state.action == MouseAction::none) return;

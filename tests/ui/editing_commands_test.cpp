@@ -51,7 +51,11 @@ void prepare(TestWindow& window, std::string_view command) {
   if (command == "take-suggestion")
     studio.ui.suggestions.push_back(
         {{.part_template = *studio.history.committed().active_template()}, nullptr});
-  studio.messages = {};
+  if (command.ends_with("points")) {
+    studio.ui.points.selected = {1, 2, 3, 50};
+    studio.ui.points.shape_revision = studio.shape.shape_revision;
+  }
+  if (command == "shrink-to-points") studio.ui.points.selected.clear();
 }
 
 Text arguments_of(const TestWindow& window, std::string_view command) {
@@ -80,7 +84,9 @@ TEST_CASE("Every editing command is one step: done, undone and redone") {
     CAPTURE(command.name);
     TestWindow window;
     Studio& studio = window.studio();
-    if (command.name == "adopt-fit" || command.name == "learn-features") window.open_chairs(1);
+    const bool needs_shape =
+        command.name == "adopt-fit" || command.name == "learn-features" || command.name.ends_with("points");
+    if (needs_shape) window.open_chairs(1);
     make_document(window);
     window.settle();
     prepare(window, command.name);
