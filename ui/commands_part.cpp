@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "core/base/error.h"
+#include "core/model/part_colours.h"
 #include "core/session/actions.h"
 #include "ui/box_angles.h"
 #include "ui/command_groups.h"
@@ -61,6 +62,17 @@ void label_command(Studio& studio, Arguments arguments) {
   if (label < 0 || label > 32'000 || label != static_cast<int>(label))
     throw Error("a label is a whole number from 0");
   set_part_label(studio.history, selected_parts(studio.ui), static_cast<int>(label));
+}
+
+void colour_command(Studio& studio, Arguments arguments) {
+  int colour = -1;
+  if (text_argument(arguments, 0, "a number or auto") != "auto") {
+    const double number = number_argument(arguments, 0, "a number or auto");
+    if (number < 0 || number >= part_colour_count || number != static_cast<int>(number))
+      throw Error("colours have the numbers 0 to " + std::to_string(part_colour_count - 1));
+    colour = static_cast<int>(number);
+  }
+  set_part_colour(studio.history, selected_parts(studio.ui), colour);
 }
 
 void must_exist_command(Studio& studio, Arguments arguments) {
@@ -133,6 +145,12 @@ void add_part_commands(std::vector<Command>& commands) {
                                        .title = "Label of the part",
                                        .arguments = "NUMBER",
                                        .run = label_command,
+                                       .why_not = needs_part,
+                                       .edits = true},
+                                      {.name = "set-colour",
+                                       .title = "Colour of the part",
+                                       .arguments = "NUMBER|auto",
+                                       .run = colour_command,
                                        .why_not = needs_part,
                                        .edits = true},
                                       {.name = "set-existence",

@@ -7,6 +7,7 @@
 #include "ui/project_actions.h"
 #include "ui/selection.h"
 #include "ui/studio.h"
+#include "ui/template_compare.h"
 
 namespace archetype {
 namespace {
@@ -83,6 +84,33 @@ std::string needs_place(const Studio& studio) {
   return document.active + 1 < document.templates.size() ? "" : "it is the last template already";
 }
 
+void compare_command(Studio& studio, Arguments arguments) {
+  const Document& document = studio.history.committed();
+  // Without a name: with the next one of the list.
+  const std::size_t next = (document.active + 1) % document.templates.size();
+  const std::string name = arguments.empty() ? document.templates[next]->name
+                                             : text_argument(arguments, 0, "the name of a template");
+  for (const auto& each : document.templates)
+    if (each->name == name && each != document.templates[document.active]) {
+      studio.ui.compared = name;
+      return;
+    }
+  throw Error("there is no other template \"" + name + "\"");
+}
+
+void stop_comparing_command(Studio& studio, Arguments) {
+  studio.ui.compared.clear();
+}
+
+std::string needs_other_template(const Studio& studio) {
+  if (std::string reason = needs_template(studio); !reason.empty()) return reason;
+  return studio.history.committed().templates.size() > 1 ? "" : "there is no other template";
+}
+
+std::string needs_compared(const Studio& studio) {
+  return compared_template(studio) ? "" : "no template is compared";
+}
+
 void adopt_command(Studio& studio, Arguments) {
   adopt_fitted_boxes(studio.history, studio.shape.fit->fit);
 }
@@ -154,6 +182,17 @@ void add_template_commands(std::vector<Command>& commands) {
                                        .run = move_command<1>,
                                        .why_not = needs_place<1>,
                                        .edits = true},
+                                      {.name = "compare-template",
+                                       .title = "Compare with another template",
+                                       .menu = "Template",
+                                       .arguments = "[NAME]",
+                                       .run = compare_command,
+                                       .why_not = needs_other_template},
+                                      {.name = "stop-comparing",
+                                       .title = "Stop comparing templates",
+                                       .menu = "Template",
+                                       .run = stop_comparing_command,
+                                       .why_not = needs_compared},
                                       {.name = "delete-template",
                                        .title = "Delete template",
                                        .menu = "Template",

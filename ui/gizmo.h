@@ -41,9 +41,9 @@ struct HandleShape {
   bool faint = false;  // on the far side of the box
 };
 
-// What the tool offers, in the order of drawing. Move: arrows, planes, the middle and the six faces; scale:
-// faces, edges and corners; rotate: a ring for each axis. What is seen too much from its end is left out, and
-// edges and corners that would lie over other dots.
+// What the tool offers, in the order of drawing. Move: arrows, planes, the middle, the six faces and the
+// edges and corners in front; scale: all faces, edges and corners; rotate: a ring for each axis. What is seen
+// too much from its end is left out, and edges and corners that would lie over other handles.
 std::vector<HandleShape> handle_shapes(const Box& box, BoxTool tool, const GizmoView& view);
 
 // The handle that is drawn under the cursor, with a few pixels to spare; of several the one drawn last.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/model/part_colours.h"
 #include "core/session/actions.h"
 #include "core/session/mirror_pairs.h"
 #include "ui/box_angles.h"
@@ -97,6 +98,33 @@ void existence_row(Studio& studio, const TemplatePart& shown) {
     set_existence(studio.history, selected_parts(studio.ui), percent / 100, Stage::live);
 }
 
+// A swatch that opens the colours to choose from.
+void colour_row(Studio& studio, const PartTemplate& part_template, std::size_t part) {
+  row_label(studio, "Colour", "One of those that can be told apart without seeing red and green.");
+  const float side = ImGui::GetFrameHeight();
+  const auto swatch = [&](const std::string& name, const Rgb& rgb, ImVec2 size) {
+    const ImVec4 colour(rgb[0] / 255.F, rgb[1] / 255.F, rgb[2] / 255.F, 1);
+    const bool clicked = ImGui::ColorButton(name.c_str(), colour, ImGuiColorEditFlags_NoTooltip, size);
+    mark_target(studio, "colour:" + name);
+    return clicked;
+  };
+  if (swatch("choose", part_colour(part_template, static_cast<int>(part)), {2.2F * side, side}))
+    ImGui::OpenPopup("colours");
+  if (!ImGui::BeginPopup("colours")) return;
+  std::optional<int> chosen;
+  for (int i = 0; i < part_colour_count; ++i) {
+    if (i % 7 != 0) ImGui::SameLine();
+    if (swatch(std::to_string(i), part_colour(i), {side, side})) chosen = i;
+  }
+  if (ImGui::Selectable("By its place in the list")) chosen = -1;
+  mark_target(studio, "colour:auto");
+  if (chosen) {
+    set_part_colour(studio.history, selected_parts(studio.ui), *chosen);
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
 // What follows its edits, and how to end that.
 void mirror_row(Studio& studio, const PartTemplate& part_template, std::size_t part) {
   const std::optional<std::size_t> partner = mirror_partner(part_template, part);
@@ -159,6 +187,7 @@ void draw_part_panel(Studio& studio) {
   name_row(studio, part, shown);
   label_row(studio, shown);
   existence_row(studio, shown);
+  colour_row(studio, *active, part);
   mirror_row(studio, *active, part);
   box_rows(studio, part, shown.mean_box());
   const float speed = 0.002f;

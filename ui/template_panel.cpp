@@ -1,5 +1,6 @@
 // The templates of the project and the parts of the active one.
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include "core/model/part_colours.h"
 #include "core/session/actions.h"
@@ -32,8 +33,36 @@ void draw_empty(Studio& studio) {
   command_button(studio, "load-template", std::string(icon::folder_open) + "  Load…", {width, 0});
 }
 
+void draw_template_menu(Studio& studio, const Document& document) {
+  if (!ImGui::BeginPopup("template menu")) return;
+  muted_text(studio, "Name");
+  ImGui::SameLine();
+  std::string name = document.active_template()->name;
+  ImGui::SetNextItemWidth(180 * studio.fonts.scale);
+  ImGui::InputText("##name", &name, ImGuiInputTextFlags_AutoSelectAll);
+  mark_target(studio, "field:Template name");
+  if (ImGui::IsItemDeactivatedAfterEdit() && !name.empty()) rename_active_template(studio.history, name);
+  ImGui::Separator();
+  for (const char* command : {"duplicate-template", "template-up", "template-down"})
+    command_menu_item(studio, *find_command(studio, command));
+  if (ImGui::BeginMenu("Compare with", document.templates.size() > 1)) {
+    for (std::size_t i = 0; i < document.templates.size(); ++i) {
+      if (i == document.active) continue;
+      const std::string other[] = {document.templates[i]->name};
+      ImGui::PushID(static_cast<int>(i));
+      if (ImGui::MenuItem(other[0].c_str(), nullptr, other[0] == studio.ui.compared))
+        run_command(studio, "compare-template", other);
+      ImGui::PopID();
+      mark_target(studio, "compare:" + other[0]);
+    }
+    ImGui::EndMenu();
+  }
+  command_menu_item(studio, *find_command(studio, "stop-comparing"));
+  ImGui::EndPopup();
+}
+
 void draw_templates(Studio& studio, const Document& document) {
-  const float buttons = 4 * (ImGui::GetFrameHeight() * 1.15f + ImGui::GetStyle().ItemSpacing.x);
+  const float buttons = 5 * (ImGui::GetFrameHeight() * 1.15f + ImGui::GetStyle().ItemSpacing.x);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - buttons);
   if (ImGui::BeginCombo("##template", document.active_template()->name.c_str())) {
     for (std::size_t i = 0; i < document.templates.size(); ++i) {
@@ -57,6 +86,11 @@ void draw_templates(Studio& studio, const Document& document) {
   command_button(studio, "save-template", icon::save, size);
   ImGui::SameLine();
   command_button(studio, "delete-template", icon::trash, size);
+  ImGui::SameLine();
+  if (ImGui::Button(icon::more, size)) ImGui::OpenPopup("template menu");
+  mark_target(studio, "template:more");
+  tooltip("Rename, duplicate, reorder, compare");
+  draw_template_menu(studio, document);
 }
 
 void select_in_list(Studio& studio, std::size_t part) {
@@ -69,8 +103,9 @@ void select_in_list(Studio& studio, std::size_t part) {
     select_only(studio.ui, part);
 }
 
-void draw_part_row(Studio& studio, const TemplatePart& part, std::size_t index) {
-  const Rgb rgb = part_colour(static_cast<int>(index));
+void draw_part_row(Studio& studio, const PartTemplate& part_template, std::size_t index) {
+  const TemplatePart& part = part_template.parts[index];
+  const Rgb rgb = part_colour(part_template, static_cast<int>(index));
   ImGui::PushID(static_cast<int>(index));
   const ImVec2 low = ImGui::GetCursorScreenPos();
   if (ImGui::Selectable("##part", is_selected(studio.ui, index))) select_in_list(studio, index);
@@ -109,7 +144,7 @@ void draw_template_panel(Studio& studio) {
   draw_templates(studio, document);
   if (active->parts.empty())
     muted_paragraph(studio, "No parts yet: add a box, then move and size it over the shape.");
-  for (std::size_t i = 0; i < active->parts.size(); ++i) draw_part_row(studio, active->parts[i], i);
+  for (std::size_t i = 0; i < active->parts.size(); ++i) draw_part_row(studio, *active, i);
   const float width = share_of_width(3);
   command_button(studio, "add-part", std::string(icon::plus) + " Add", {width, 0});
   ImGui::SameLine();

@@ -97,6 +97,7 @@ struct UiState {
   std::optional<std::size_t> part;         // the selected part of the active template; see ui/selection.h
   std::vector<std::size_t> also_selected;  // parts that are edited with it; empty without it
   std::vector<TemplatePart> copied_parts;  // to be pasted, into this template or another
+  std::string compared;                    // the name of a template to compare with; "": none
   ViewOptions view;
   BoxTool tool = BoxTool::move;
   bool snapping = false;                    // dragged boxes snap; Ctrl held turns it round

@@ -9,6 +9,7 @@
 #include "ui/edit_overlay.h"
 #include "ui/selection.h"
 #include "ui/studio.h"
+#include "ui/template_compare.h"
 #include "ui/viewport_mouse.h"
 #include "ui/viewport_overlay.h"
 #include "ui/widgets.h"
@@ -60,6 +61,7 @@ ViewportContent content_of(const Studio& studio) {
   const ViewportState& state = studio.viewport;
   ViewportContent content;
   content.part_template = shown_template(studio).get();
+  if (!studio.ui.look) content.compared = compared_template(studio).get();
   content.fit = studio.shape.fit.get();
   content.display = state.display;
   content.colours = state.colours;
@@ -165,6 +167,7 @@ void draw_picture(Studio& studio, const Scene& scene, ImVec2 size) {
   key.coarse = moving(state) && state.display.coarse;
   key.document_revision = studio.history.revision();
   if (studio.ui.look) key.looked_at = studio.ui.look->part_template;
+  key.compared = compared_template(studio);
   key.fit_revision = state.coloured_fit;
   key.display_revision = state.display.shape_revision;
   key.selected = selected_parts(studio.ui);

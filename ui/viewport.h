@@ -38,6 +38,7 @@ struct PictureKey {
   bool coarse = false;
   std::uint64_t document_revision = 0;
   std::shared_ptr<const PartTemplate> looked_at;
+  std::shared_ptr<const PartTemplate> compared;
   std::uint64_t fit_revision = 0;
   std::uint64_t display_revision = 0;
   std::vector<std::size_t> selected;

@@ -75,7 +75,8 @@ bool also_selected(const ViewportContent& content, std::size_t part) {
 void add_mean_boxes(const ViewportContent& content, Scene& scene) {
   const auto& parts = content.part_template->parts;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    SceneBox box{.box = parts[i].mean_box(), .colour = part_colour(static_cast<int>(i))};
+    SceneBox box{.box = parts[i].mean_box(),
+                 .colour = part_colour(*content.part_template, static_cast<int>(i))};
     const bool chosen = content.selected == i || also_selected(content, i);
     box.fill = chosen ? 0.24F : content.hovered == i ? 0.2F : 0.12F;
     box.outline = contrasting(box.colour, content.backdrop, chosen ? 0.65 : 0.25);
@@ -86,11 +87,29 @@ void add_mean_boxes(const ViewportContent& content, Scene& scene) {
   }
 }
 
+// Dashed and without faces: nothing to take hold of.
+void add_compared_boxes(const ViewportContent& content, Scene& scene) {
+  const auto& parts = content.compared->parts;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    SceneBox box{
+        .box = parts[i].mean_box(), .colour = part_colour(*content.compared, static_cast<int>(i)), .fill = 0};
+    box.outline = contrasting(box.colour, content.backdrop, 0.1);
+    box.outline_width = 1.3F;
+    box.dash = 4;
+    scene.boxes.push_back(box);
+  }
+}
+
+Rgb colour_of_fitted(const ViewFit& fit, std::size_t part) {
+  const int index = static_cast<int>(part);
+  return fit.part_template ? part_colour(*fit.part_template, index) : part_colour(index);
+}
+
 void add_fitted_boxes(const ViewportContent& content, Scene& scene) {
   const ShapeFit& fit = content.fit->fit;
   for (std::size_t i = 0; i < fit.parts.size(); ++i) {
     if (!fit.parts[i].present) continue;
-    SceneBox box{.box = fit.parts[i].box, .colour = part_colour(static_cast<int>(i)), .fill = 0.05F};
+    SceneBox box{.box = fit.parts[i].box, .colour = colour_of_fitted(*content.fit, i), .fill = 0.05F};
     box.box.centre += fit.translation;
     box.outline_width = 1.2F;
     if (content.view.mean_boxes) box.dash = 3;
@@ -122,9 +141,9 @@ ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display) {
                                : display.points ? display.points->positions.size()
                                                 : 0;
   if (elements > 0 && fit.element_labels.size() == elements)
-    colours.elements = colours_of_labels(fit.element_labels);
+    colours.elements = colours_of_labels(fit.element_labels, fit.part_template.get());
   if (display.samples && fit.fit.labels.size() == display.samples->positions.size())
-    colours.samples = colours_of_labels(fit.fit.labels);
+    colours.samples = colours_of_labels(fit.fit.labels, fit.part_template.get());
   return colours;
 }
 
@@ -136,6 +155,7 @@ Scene make_viewport_scene(const ViewportContent& content) {
     scene.ground = static_cast<float>(extent->first.y);
   add_shape(content, scene);
   if (content.part_template && content.view.mean_boxes) add_mean_boxes(content, scene);
+  if (content.compared && content.view.mean_boxes) add_compared_boxes(content, scene);
   if (content.fit && content.view.fitted_boxes) add_fitted_boxes(content, scene);
   return scene;
 }

@@ -27,6 +27,7 @@ std::optional<std::pair<glm::dvec3, glm::dvec3>> shape_extent(const ShapeDisplay
 
 struct ViewportContent {
   const PartTemplate* part_template = nullptr;  // may be null
+  const PartTemplate* compared = nullptr;       // another one, to compare with; may be null
   const ViewFit* fit = nullptr;                 // may be null, or of an older template
   ShapeDisplay display;
   ShapeColours colours;

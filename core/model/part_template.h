@@ -43,6 +43,7 @@ struct TemplatePart {
   FeatureGaussian features;
   double existence = 1.0;  // share of the shapes that have this part, in (0, 1]
   MirrorLink mirror;
+  int colour = -1;         // the number of a colour of part_colour(); -1: that of its place in the list
   std::string extra_json;  // keys of a file that this version does not know, kept and written back
 
   Box mean_box() const { return {position.mean, scale.mean, orientation}; }
@@ -50,7 +51,8 @@ struct TemplatePart {
     return a.name == b.name && a.label == b.label && a.must_exist == b.must_exist &&
            a.orientation.coeffs() == b.orientation.coeffs() && a.position == b.position &&
            a.scale == b.scale && a.has_features == b.has_features && a.features == b.features &&
-           a.existence == b.existence && a.mirror == b.mirror && a.extra_json == b.extra_json;
+           a.existence == b.existence && a.mirror == b.mirror && a.colour == b.colour &&
+           a.extra_json == b.extra_json;
   }
 };
 

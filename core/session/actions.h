@@ -63,6 +63,8 @@ PartList paste_parts(History& history, const std::vector<TemplatePart>& parts);
 
 void rename_part(History& history, std::size_t part, const std::string& name);
 void set_part_label(History& history, const PartList& parts, int label, Stage stage = Stage::done);  // >= 0
+// One of part_colour_count, or -1 for that of its place in the list.
+void set_part_colour(History& history, const PartList& parts, int colour);
 void set_must_exist(History& history, const PartList& parts, bool must_exist);
 // The mean box: what the gizmo and the typed numbers change. Half extents are kept above min_half_extent.
 inline constexpr double min_half_extent = 0.005;  // normalised units

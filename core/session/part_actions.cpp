@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/model/part_colours.h"
 #include "core/session/mirror_pairs.h"
 #include "core/session/template_edit.h"
 
@@ -46,8 +47,16 @@ void set_part_label(History& history, const PartList& parts, int label, Stage st
   if (label < 0) throw PreconditionError("a label is not negative");
   PartTemplate changed = active_copy(history);
   for (const std::size_t part : checked_parts(changed, parts)) changed.parts[part].label = label;
-  const std::string message = "Label of " + names_of(changed, parts);
+  const std::string message = "Label of " + names_of(changed, checked_parts(changed, parts));
   put(history, std::move(changed), stage, message);
+}
+
+void set_part_colour(History& history, const PartList& parts, int colour) {
+  if (colour < -1 || colour >= part_colour_count) throw PreconditionError("there is no such colour");
+  PartTemplate changed = active_copy(history);
+  for (const std::size_t part : checked_parts(changed, parts)) changed.parts[part].colour = colour;
+  const std::string message = "Colour of " + names_of(changed, checked_parts(changed, parts));
+  put(history, std::move(changed), Stage::done, message);
 }
 
 void set_must_exist(History& history, const PartList& parts, bool must_exist) {

@@ -99,6 +99,7 @@ std::vector<Action> all_actions() {
        [](History& h) {
          set_part_label(h, {1, 0}, 7);
        }},
+      {"set_part_colour", [](History& h) { set_part_colour(h, {0}, 5); }},
       {"set_must_exist", [](History& h) { set_must_exist(h, {0}, true); }},
       {"set_part_box", [](History& h) { set_part_box(h, 0, some_box()); }},
       {"set_position_stddev", [](History& h) { set_position_stddev(h, {0}, Vec3(0.1, 0.1, 0.1)); }},

@@ -69,6 +69,7 @@ Text arguments_of(const TestWindow& window, std::string_view command) {
                                                       {"set-position-spread", {"0.1", "0.1", "0.3"}},
                                                       {"set-size-spread", {"0.3", "0.1", "0.2"}},
                                                       {"set-label", {"9"}},
+                                                      {"set-colour", {"5"}},
                                                       {"set-existence", {"0.5"}},
                                                       {"take-suggestion", {"1"}}};
   if (command == "load-template") return {(window.scratch().path() / "t.json").string()};

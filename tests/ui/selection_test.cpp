@@ -3,9 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include "core/model/part_colours.h"
 #include "core/session/actions.h"
 #include "core/session/mirror_pairs.h"
 #include "tests/ui/test_window.h"
+#include "ui/template_compare.h"
 
 using namespace archetype;
 using archetype::test::TestWindow;
@@ -114,4 +116,57 @@ TEST_CASE("Boxes that are held together move, grow and turn as one body") {
   const Vec3 corner = placed[0].box.to_world({1, 1, 1});
   CHECK((result[0].box.to_world({1, 1, 1}) - (held.centre + to.orientation * (corner - held.centre))).norm() <
         1e-9);
+}
+
+TEST_CASE("A part is given a colour by hand, which goes with it; its swatch is clicked") {
+  TestWindow window;
+  window.make_template();
+  window.click("part:back");
+  CHECK(part_colour(shown(window), 1) == part_colour(1));
+  window.click("colour:choose");
+  window.frames(2);
+  window.click("colour:4");
+  CHECK(part_colour(shown(window), 1) == part_colour(4));
+  window.click("part:seat");
+  window.key("Delete");
+  CHECK(part_colour(shown(window), 0) == part_colour(4));
+  window.key("Ctrl+Z");
+  window.key("Ctrl+Z");
+  CHECK(part_colour(shown(window), 1) == part_colour(1));
+}
+
+TEST_CASE("Templates are renamed, duplicated, reordered and compared from their menu") {
+  TestWindow window;
+  window.make_template();
+  const History& history = window.studio().history;
+  window.click("template:more");
+  window.frames(2);
+  window.click("menu:duplicate-template");
+  REQUIRE(history.current().templates.size() == 2);
+  CHECK(history.current().active == 1);
+  remove_parts(window.studio().history, {2});
+  set_part_box(window.studio().history, 0, {{0, 0, 0.1}, {0.6, 0.16, 0.6}, Eigen::Quaterniond::Identity()});
+  REQUIRE(run_command(window.studio(), "compare-template"));
+  window.frames(2);
+  CHECK(window.has("command:stop-comparing"));
+  const auto other = compared_template(window.studio());
+  REQUIRE(other);
+  const std::vector<PartDifference> differences = compare_templates(shown(window), *other);
+  REQUIRE(differences.size() == 3);
+  CHECK(differences[0].moved == doctest::Approx(0.1));
+  CHECK(differences[0].larger == doctest::Approx(2));
+  CHECK(differences[1].moved == 0);
+  CHECK_FALSE(differences[2].here);
+  CHECK(differences[2].name == "leg");
+  REQUIRE(run_command(window.studio(), "template-up"));
+  CHECK(history.current().active == 0);
+  CHECK(compared_template(window.studio()) == other);
+  window.click("command:stop-comparing");
+  CHECK_FALSE(compared_template(window.studio()));
+  window.click("template:more");
+  window.frames(2);
+  window.click("field:Template name");
+  window.type("stool");
+  window.field_key(ImGuiKey_Enter);
+  CHECK(shown(window).name == "stool");
 }
