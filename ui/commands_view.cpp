@@ -41,6 +41,23 @@ void frame_selection(Studio& studio, Arguments) {
   studio.ui.wanted_frame = true;
 }
 
+// G, S and R take the tool, and begin at once where something is selected.
+template <BoxTool tool>
+void transform_command(Studio& studio, Arguments) {
+  studio.ui.tool = tool;
+  begin_transform(studio, tool);
+}
+
+std::string needs_no_handle(const Studio& studio) {
+  return studio.viewport.drag || (studio.history.has_preview() && !studio.ui.transform)
+             ? "let go of what you drag first"
+             : "";
+}
+
+void toggle_snapping(Studio& studio, Arguments) {
+  studio.ui.snapping = !studio.ui.snapping;
+}
+
 template <BoxTool tool>
 void take_tool(Studio& studio, Arguments) {
   studio.ui.tool = tool;
@@ -54,12 +71,12 @@ bool has_tool(const Studio& studio) {
 // Pressed again, the key lets the drag go free.
 template <int axis>
 void keep_to_axis(Studio& studio, Arguments) {
-  std::optional<int>& kept = studio.ui.drag_axis;
+  std::optional<int>& kept = studio.ui.transform ? studio.ui.transform->axis : studio.ui.drag_axis;
   kept = kept == axis ? std::nullopt : std::optional(axis);
 }
 
 std::string needs_handle(const Studio& studio) {
-  return studio.viewport.drag ? "" : "drag a handle of the selected box first";
+  return studio.viewport.drag || studio.ui.transform ? "" : "press G, S or R or drag a handle first";
 }
 
 void set_theme(Studio& studio, const char* theme) {
@@ -252,22 +269,43 @@ void add_view_commands(std::vector<Command>& commands) {
           {.name = "tool-move",
            .title = "Move boxes",
            .menu = "Part",
-           .key = "G",
            .run = take_tool<BoxTool::move>,
            .checked = has_tool<BoxTool::move>,
            .separator = true},
           {.name = "tool-scale",
            .title = "Scale boxes",
            .menu = "Part",
-           .key = "S",
            .run = take_tool<BoxTool::scale>,
            .checked = has_tool<BoxTool::scale>},
           {.name = "tool-rotate",
            .title = "Rotate boxes",
            .menu = "Part",
-           .key = "R",
            .run = take_tool<BoxTool::rotate>,
            .checked = has_tool<BoxTool::rotate>},
+          {.name = "grab",
+           .title = "Move with the mouse or by numbers",
+           .menu = "Part",
+           .key = "G",
+           .run = transform_command<BoxTool::move>,
+           .why_not = needs_no_handle},
+          {.name = "scale",
+           .title = "Scale with the mouse or by numbers",
+           .menu = "Part",
+           .key = "S",
+           .run = transform_command<BoxTool::scale>,
+           .why_not = needs_no_handle},
+          {.name = "rotate",
+           .title = "Rotate with the mouse or by numbers",
+           .menu = "Part",
+           .key = "R",
+           .run = transform_command<BoxTool::rotate>,
+           .why_not = needs_no_handle},
+          {.name = "snapping",
+           .title = "Snap dragged boxes",
+           .menu = "Part",
+           .key = "Shift+S",
+           .run = toggle_snapping,
+           .checked = [](const Studio& s) { return s.ui.snapping; }},
           {.name = "axis-x",
            .title = "Keep the drag to the x axis",
            .menu = "Part",

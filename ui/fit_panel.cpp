@@ -96,7 +96,7 @@ void draw_parts(const Studio& studio, const ViewFit& view) {
   const auto all = static_cast<double>(std::max<std::size_t>(1, view.fit.labels.size()));
   for (std::size_t i = 0; i <= view.part_template->parts.size(); ++i) {
     const bool null = i == view.part_template->parts.size();
-    const Rgb rgb = part_colour(null ? -1 : static_cast<int>(i));
+    const Rgb rgb = part_colour(*view.part_template, null ? -1 : static_cast<int>(i));
     const bool absent = !null && !view.fit.parts[i].present;
     const std::string name = null ? "no part" : view.part_template->parts[i].name;
     char share[48];

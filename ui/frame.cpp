@@ -150,6 +150,7 @@ void draw_bottom(Studio& studio) {
 
 void draw_inspector(Studio& studio) {
   draw_template_panel(studio);
+  draw_compare_panel(studio);
   draw_part_panel(studio);
   draw_fit_panel(studio);
 }

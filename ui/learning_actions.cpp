@@ -10,6 +10,7 @@
 #include "core/session/suggest_templates.h"
 #include "ui/learning_flow.h"
 #include "ui/project_actions.h"
+#include "ui/selection.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
@@ -85,7 +86,7 @@ void suggest_templates(Studio& studio) {
 void take_suggestion(Studio& studio, std::size_t rank) {
   const PartTemplate& chosen = studio.ui.suggestions.at(rank).found.part_template;
   add_template(studio.history, chosen, "Take the suggested template " + chosen.name);
-  studio.ui.part.reset();
+  select_only(studio.ui, std::nullopt);
 }
 
 std::optional<JobView> learning_job(const Studio& studio) {
@@ -153,7 +154,7 @@ void learn(Studio& studio) {
           } else {
             for (const PartTemplate& each : learned) add_template(studio.history, each, "Learn " + each.name);
           }
-          studio.ui.part.reset();
+          select_only(studio.ui, std::nullopt);
           say(studio, Severity::note, summary(report, learned.size()));
         };
       });

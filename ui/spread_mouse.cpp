@@ -25,9 +25,9 @@ const TemplatePart* part_with_dots(const Studio& studio) {
 
 void set_stddev(Studio& studio, const SpreadDrag& drag, const Vec3& stddev, Stage stage) {
   if (drag.handle.of == SpreadHandle::Of::position)
-    set_position_stddev(studio.history, *studio.ui.part, stddev, stage);
+    set_position_stddev(studio.history, {*studio.ui.part}, stddev, stage);
   else
-    set_scale_stddev(studio.history, *studio.ui.part, stddev, stage);
+    set_scale_stddev(studio.history, {*studio.ui.part}, stddev, stage);
 }
 
 void drop(Studio& studio) {
@@ -87,7 +87,7 @@ void draw_spread_dots(const Studio& studio, ImDrawList& draw, ImVec2 origin, con
   if (!part) return;
   const ViewportState& state = studio.viewport;
   const auto scale = static_cast<float>(view.scale);
-  const Rgb rgb = part_colour(static_cast<int>(*studio.ui.part));
+  const Rgb rgb = part_colour(*studio.history.current().active_template(), static_cast<int>(*studio.ui.part));
   const auto held = state.spread_drag ? std::optional(state.spread_drag->handle) : state.spread_handle;
   for (const SpreadDot& dot : spread_dots(*part, view)) {
     const ImVec2 at(origin.x + static_cast<float>(dot.pixel.x), origin.y + static_cast<float>(dot.pixel.y));

@@ -103,9 +103,9 @@ std::optional<LoadedStripShape> load_strip_shape(const LoadStripShape& request, 
   return std::make_shared<const StripShape>(std::move(shape));
 }
 
-ShapeColours strip_colours(const StripShape& shape, const ShapeFit& fit) {
+ShapeColours strip_colours(const StripShape& shape, const PartTemplate& part_template, const ShapeFit& fit) {
   ShapeColours colours;
-  if (shape.display.samples) colours.samples = colours_of_labels(fit.labels);
+  if (shape.display.samples) colours.samples = colours_of_labels(fit.labels, &part_template);
   if (!shape.display.mesh) return colours;
   std::vector<std::int16_t> labels;
   std::vector<std::int16_t> votes;
@@ -115,7 +115,7 @@ ShapeColours strip_colours(const StripShape& shape, const ShapeFit& fit) {
       votes.push_back(fit.labels[shape.voters[i]]);
     labels.push_back(majority(votes));
   }
-  colours.elements = colours_of_labels(labels);
+  colours.elements = colours_of_labels(labels, &part_template);
   return colours;
 }
 
@@ -142,7 +142,7 @@ std::optional<StripFitResult> StripFitters::run(const StripFitRequest& request, 
     if (!fitted) return;
     problems[i] = fitted->problem;
     if (!fitted->fit) return;
-    StripFit fit{*fitted->fit, strip_colours(*request.shapes[i], fitted->fit->fit)};
+    StripFit fit{*fitted->fit, strip_colours(*request.shapes[i], *request.part_template, fitted->fit->fit)};
     fit.view.part_template = request.part_template;
     result.fits[i] = std::make_shared<const StripFit>(std::move(fit));
   });

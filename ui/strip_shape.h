@@ -39,7 +39,7 @@ using LoadedStripShape = std::shared_ptr<const StripShape>;
 std::optional<LoadedStripShape> load_strip_shape(const LoadStripShape& request, const JobControl& control);
 
 // Of the triangles by the majority of their voters, and of the samples.
-ShapeColours strip_colours(const StripShape& shape, const ShapeFit& fit);
+ShapeColours strip_colours(const StripShape& shape, const PartTemplate& part_template, const ShapeFit& fit);
 
 struct StripFit {
   ViewFit view;  // its faces are not labelled

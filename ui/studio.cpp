@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ui/learning_actions.h"
+#include "ui/selection.h"
 
 namespace archetype {
 namespace {
@@ -93,7 +94,7 @@ void note_edit(Studio& studio) {
 
 void keep_selection_valid(Studio& studio) {
   const PartTemplate* active = studio.history.current().active_template();
-  if (studio.ui.part && (!active || *studio.ui.part >= active->parts.size())) studio.ui.part.reset();
+  keep_selection_within(studio.ui, active ? active->parts.size() : 0);
 }
 
 Navigation parse_navigation(const std::string& name) {
@@ -113,8 +114,9 @@ void follow_changed_file(Studio& studio) {
 void tell_problems(Studio& studio) {
   for (const std::string& problem :
        {studio.shape_loader.take_problem(), studio.live_fit.worker.take_problem(),
-        studio.directory_reader.take_problem(), studio.viewport.coarse_worker.take_problem(),
-        studio.viewport.average_worker.take_problem(), studio.thumbnails.take_problem()})
+        studio.region_worker.take_problem(), studio.directory_reader.take_problem(),
+        studio.viewport.coarse_worker.take_problem(), studio.viewport.average_worker.take_problem(),
+        studio.thumbnails.take_problem()})
     if (!problem.empty()) say(studio, Severity::error, problem);
 }
 
@@ -157,6 +159,7 @@ Studio::Studio(StudioOptions given)
       directory_reader(list_directory, options.wake),
       live_fit(options.wake),
       strip(options.wake),
+      region_worker(find_surface_regions, options.wake),
       thumbnails(options.shaders, options.wake),
       jobs(options.wake) {}
 
@@ -198,10 +201,10 @@ void frame_shown(Studio& studio) {
 
 bool settled(const Studio& studio) {
   return !studio.drag && !studio.wanted_picture && studio.jobs.resting() && studio.shape_loader.idle() &&
-         studio.live_fit.worker.idle() && studio.rows_reader.idle() && studio.directory_reader.idle() &&
-         studio.autosave.saver.idle() && studio.thumbnails.idle() && !studio.live_fit.newly_shown &&
-         studio.live_fit.asked_shape == studio.shape.shape_revision && strip_settled(studio) &&
-         !viewport_busy(studio.viewport, studio.shape.shape_revision);
+         studio.live_fit.worker.idle() && studio.region_worker.idle() && studio.rows_reader.idle() &&
+         studio.directory_reader.idle() && studio.autosave.saver.idle() && studio.thumbnails.idle() &&
+         !studio.live_fit.newly_shown && studio.live_fit.asked_shape == studio.shape.shape_revision &&
+         strip_settled(studio) && !viewport_busy(studio.viewport, studio.shape.shape_revision);
 }
 
 bool wants_frames(const Studio& studio) {

@@ -26,6 +26,7 @@
 #include "ui/shape_in_view.h"
 #include "ui/shape_loader.h"
 #include "ui/shape_strip.h"
+#include "ui/surface_regions.h"
 #include "ui/theme.h"
 #include "ui/thumbnail_store.h"
 #include "ui/ui_state.h"
@@ -91,11 +92,13 @@ struct Studio {
   DirectoryReader directory_reader;
   LiveFit live_fit;
   ShapeStrip strip;
+  RegionWorker region_worker;
   ThumbnailStore thumbnails;
   Jobs jobs;
   std::vector<ProjectWriter> writers;  // those of the jobs that write to a project, until they have ended
 
-  std::optional<DirectoryListing> directory;  // of the file browser
+  std::optional<std::pair<RegionKind, std::uint64_t>> asked_regions;  // and the shape revision they are of
+  std::optional<DirectoryListing> directory;                          // of the file browser
   std::chrono::steady_clock::time_point rows_asked_at{};
   bool rows_are_of_pause = false;  // asked for while all jobs were paused
   std::chrono::steady_clock::time_point frame_start{};

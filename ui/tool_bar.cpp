@@ -31,6 +31,8 @@ void draw_tool_bar(Studio& studio) {
   command_toggle(studio, "tool-scale", std::string(icon::scale) + " Scale");
   ImGui::SameLine();
   command_toggle(studio, "tool-rotate", std::string(icon::rotate) + " Rotate");
+  ImGui::SameLine();
+  command_toggle(studio, "snapping", std::string(icon::snap) + " Snap");
   gap(studio);
   const std::pair<const char*, const char*> toggles[] = {
       {"surface", "Surface"}, {"wireframe", "Wires"},     {"points", "Points"},   {"part-colours", "Colours"},

@@ -11,7 +11,9 @@
 #include "core/io/project.h"
 #include "core/learning/initial_templates.h"
 #include "ui/collection.h"
+#include "ui/point_tools.h"
 #include "ui/template_look.h"
+#include "ui/typed_transform.h"
 
 namespace archetype {
 
@@ -36,7 +38,6 @@ struct ViewOptions {
 };
 
 enum class CameraView { front, back, left, right, top, bottom, home };
-enum class BoxTool { move, scale, rotate };
 enum class Navigation { archetype, blender, maya };  // which buttons orbit, pan and zoom
 
 struct GridState {
@@ -103,10 +104,16 @@ struct StripChoice {
 enum class BottomTab { jobs, strip, learning, messages, history, diagnostics };
 
 struct UiState {
-  std::optional<ShapeId> shape;     // the shape in view
-  std::optional<std::size_t> part;  // the selected part of the active template
+  std::optional<ShapeId> shape;            // the shape in view
+  std::optional<std::size_t> part;         // the selected part of the active template; see ui/selection.h
+  std::vector<std::size_t> also_selected;  // parts that are edited with it; empty without it
+  std::vector<TemplatePart> copied_parts;  // to be pasted, into this template or another
+  std::string compared;                    // the name of a template to compare with; "": none
   ViewOptions view;
   BoxTool tool = BoxTool::move;
+  bool snapping = false;                    // dragged boxes snap; Ctrl held turns it round
+  std::optional<TypedTransform> transform;  // G, S or R was pressed
+  PointToolState points;
   std::optional<int> drag_axis;  // of the box, 0 to 2: the drag under way keeps to it (X, Y, Z)
   Navigation navigation = Navigation::archetype;  // that of the settings
   // Wishes of commands to the viewport, which clears them once it has followed.

@@ -33,10 +33,11 @@ struct PictureKey {
   bool coarse = false;
   std::uint64_t document_revision = 0;
   std::shared_ptr<const PartTemplate> looked_at;
+  std::shared_ptr<const PartTemplate> compared;
   std::uint64_t fit_revision = 0;
   std::uint64_t display_revision = 0;
   std::shared_ptr<const PointGeometry> average;
-  std::optional<std::size_t> selected;
+  std::vector<std::size_t> selected;
   std::optional<std::size_t> hovered;
   friend bool operator==(const PictureKey&, const PictureKey&) = default;
 };

@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/edit_overlay.h"
 #include "ui/heat_map.h"
+#include "ui/selection.h"
 #include "ui/spread_mouse.h"
 #include "ui/studio.h"
+#include "ui/template_compare.h"
 #include "ui/viewport_mouse.h"
 #include "ui/viewport_overlay.h"
 #include "ui/widgets.h"
@@ -76,12 +79,16 @@ ViewportContent content_of(const Studio& studio) {
   const ViewportState& state = studio.viewport;
   ViewportContent content;
   content.part_template = shown_template(studio).get();
+  if (!studio.ui.look) content.compared = compared_template(studio).get();
   content.fit = studio.shape.fit.get();
   content.display = state.display;
   content.colours = state.colours;
   content.average = state.average ? &*state.average : nullptr;
   content.view = studio.ui.view;
-  if (!studio.ui.look) content.selected = studio.ui.part;
+  if (!studio.ui.look) {
+    content.selected = studio.ui.part;
+    content.also_selected = studio.ui.also_selected;
+  }
   content.hovered = state.hovered;
   content.moving = moving(state);
   content.backdrop = studio.theme == Theme::light ? Backdrop::light : Backdrop::dark;
@@ -132,10 +139,11 @@ void draw_picture(Studio& studio, const Scene& scene, const PlacedPane& placed) 
   key.coarse = moving(state) && state.display.coarse;
   key.document_revision = studio.history.revision();
   if (studio.ui.look) key.looked_at = studio.ui.look->part_template;
+  key.compared = compared_template(studio);
   key.fit_revision = state.coloured_fit;
   key.display_revision = state.display.shape_revision;
   if (studio.ui.view.average && state.average) key.average = state.average->points;
-  key.selected = studio.ui.part;
+  key.selected = selected_parts(studio.ui);
   key.hovered = state.hovered;
   const bool changed = pane.drawn != key;
   if (changed) pane.changed_at = Clock::now();
@@ -162,6 +170,11 @@ void draw_overlay(Studio& studio, const PlacedPane& placed, const GizmoView& vie
   const auto of_mouse = state.drag ? std::optional(state.drag->handle) : state.handle;
   const auto highlighted = placed.index == state.current ? of_mouse : std::nullopt;
   draw_handles(draw, origin, shapes, highlighted, view.scale);
+  if (state.snapped) draw_snapped(draw, origin, *state.snapped, view);
+  if (placed.index == state.current) {
+    draw_transform(studio, draw, origin, view);
+    draw_point_tool(studio, draw, origin, view);
+  }
   draw_spread_dots(studio, draw, origin, view);
   const bool one_of_four = studio.ui.view.four_views && placed.index != 0;
   if (studio.ui.view.colour == SurfaceColour::cost && state.colours.samples && !one_of_four)
@@ -172,11 +185,9 @@ void draw_overlay(Studio& studio, const PlacedPane& placed, const GizmoView& vie
 
 std::vector<HandleShape> handles_of_selection(const Studio& studio, const GizmoView& view) {
   if (studio.ui.view.spread) return {};  // they would lie among the dots of the spread
-  const PartTemplate* active = studio.history.current().active_template();
-  if (studio.ui.look || !active || !studio.ui.part || *studio.ui.part >= active->parts.size() ||
-      !studio.ui.view.mean_boxes)
-    return {};
-  return handle_shapes(active->parts[*studio.ui.part].mean_box(), studio.ui.tool, view);
+  if (studio.ui.look || !studio.ui.view.mean_boxes) return {};
+  const std::optional<Box> held = held_box(selected_boxes(studio));
+  return held ? handle_shapes(*held, studio.ui.tool, view) : std::vector<HandleShape>{};
 }
 
 GizmoView view_of(const Studio& studio, const PlacedPane& placed) {
@@ -187,17 +198,18 @@ GizmoView view_of(const Studio& studio, const PlacedPane& placed) {
 // The pane under the mouse becomes the current one, unless the mouse is held from another.
 void follow_mouse_in(Studio& studio, const std::vector<PlacedPane>& panes) {
   ViewportState& state = studio.viewport;
+  const bool held = state.action != MouseAction::none || studio.ui.transform;
   std::optional<std::size_t> with_mouse;
   std::vector<MouseInput> inputs;
   for (std::size_t i = 0; i < panes.size(); ++i) {
     inputs.push_back(read_mouse(studio, panes[i]));
-    if (state.action == MouseAction::none ? inputs[i].over : panes[i].index == state.current) with_mouse = i;
+    if (held ? panes[i].index == state.current : inputs[i].over) with_mouse = i;
   }
   if (with_mouse) state.current = panes[*with_mouse].index;
   for (std::size_t i = 0; i < panes.size(); ++i) {
     if (panes[i].index != state.current) continue;
     const GizmoView view = view_of(studio, panes[i]);
-    if (follow_spread(studio, inputs[i], view)) continue;
+    if (!studio.ui.transform && follow_spread(studio, inputs[i], view)) continue;
     follow_mouse(studio, inputs[i], make_viewport_scene(content_of(studio)), view,
                  handles_of_selection(studio, view));
   }

@@ -6,9 +6,11 @@
 #include <memory>
 #include <optional>
 
+#include "core/session/actions.h"
 #include "render/renderer.h"
 #include "ui/gizmo.h"
 #include "ui/shape_display.h"
+#include "ui/snapping.h"
 #include "ui/spread_handles.h"
 #include "ui/view_panes.h"
 #include "ui/viewport_scene.h"
@@ -37,7 +39,9 @@ struct ViewportState {
   glm::dvec2 pressed_at{0, 0};                  // pixels of the current pane
   glm::dvec2 last_cursor{0, 0};
   std::optional<BoxDrag> drag;                // while action is handle
-  std::size_t drag_part = 0;                  // whose box it drags
+  std::vector<PlacedPart> drag_parts;         // what it drags, as it was
+  std::vector<SnapPlane> snap_planes;         // that it may snap to
+  std::optional<Snapped> snapped;             // what it snaps to now
   bool drag_previewed = false;                // it has changed the document
   std::optional<Handle> handle;               // under the cursor
   std::optional<SpreadDrag> spread_drag;      // while action is spread

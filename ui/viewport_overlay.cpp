@@ -116,6 +116,10 @@ std::optional<NameTag> place_name(const TemplatePart& part, std::size_t index, I
 
 }  // namespace
 
+ImU32 axis_colour(int axis) {
+  return axis_colours[static_cast<std::size_t>(axis)];
+}
+
 void draw_handles(ImDrawList& draw, ImVec2 origin, const std::vector<HandleShape>& shapes,
                   const std::optional<Handle>& highlighted, double scale) {
   for (const HandleShape& shape : shapes)
@@ -137,7 +141,7 @@ void draw_part_names(ImDrawList& draw, ImVec2 origin, const PartTemplate& part_t
     if (std::any_of(drawn.begin(), drawn.end(), [&](const NameTag& other) { return overlap(tag, other); }))
       continue;
     drawn.push_back(tag);
-    const Rgb rgb = part_colour(static_cast<int>(tag.part));
+    const Rgb rgb = part_colour(part_template, static_cast<int>(tag.part));
     const bool chosen = selected == tag.part;
     draw.AddRectFilled(tag.low, tag.high, IM_COL32(24, 26, 30, chosen ? 235 : 170), 4 * scale);
     draw.AddRect(tag.low, tag.high, IM_COL32(rgb[0], rgb[1], rgb[2], chosen ? 255 : 150), 4 * scale, 0,

@@ -1,6 +1,7 @@
 // The scene of the viewport.
 #include "ui/viewport_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 
@@ -25,20 +26,6 @@ glm::mat4 shape_to_scene(const ViewFit* fit) {
   for (int k = 0; k < 3; ++k)
     matrix[k] = glm::vec4(to_glm(Vec3(fit->fit.to_template(Vec3::Unit(k)) - origin)), 0);
   return matrix;
-}
-
-std::optional<std::pair<glm::dvec3, glm::dvec3>> shape_extent(const ViewportContent& content) {
-  const auto box = [&](const auto& geometry) {
-    // A quarter turn about up: the corners stay corners.
-    const glm::mat4 turn = shape_to_scene(content.fit);
-    const glm::dvec3 a(turn * glm::vec4(geometry.low, 1));
-    const glm::dvec3 b(turn * glm::vec4(geometry.high, 1));
-    return std::pair(glm::min(a, b), glm::max(a, b));
-  };
-  if (content.display.mesh && content.display.mesh->triangle_count() > 0) return box(*content.display.mesh);
-  if (content.display.points) return box(*content.display.points);
-  if (content.display.samples) return box(*content.display.samples);
-  return std::nullopt;
 }
 
 // Towards white over a dark backdrop and black over a light one, so that outlines stand out from surfaces of
@@ -92,11 +79,17 @@ void add_average(const ViewportContent& content, Scene& scene) {
   scene.points.push_back(std::move(ghost));
 }
 
+bool also_selected(const ViewportContent& content, std::size_t part) {
+  return std::find(content.also_selected.begin(), content.also_selected.end(), part) !=
+         content.also_selected.end();
+}
+
 void add_mean_boxes(const ViewportContent& content, Scene& scene) {
   const auto& parts = content.part_template->parts;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    SceneBox box{.box = parts[i].mean_box(), .colour = part_colour(static_cast<int>(i))};
-    const bool chosen = content.selected == i;
+    SceneBox box{.box = parts[i].mean_box(),
+                 .colour = part_colour(*content.part_template, static_cast<int>(i))};
+    const bool chosen = content.selected == i || also_selected(content, i);
     box.fill = chosen ? 0.24F : content.hovered == i ? 0.2F : 0.12F;
     box.outline = contrasting(box.colour, content.backdrop, chosen ? 0.65 : 0.25);
     box.outline_width = chosen ? 2.6F : content.hovered == i ? 2.2F : 1.5F;
@@ -113,7 +106,7 @@ void add_spread(const ViewportContent& content, Scene& scene) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const TemplatePart& part = parts[i];
     const bool chosen = content.selected == i;
-    const Rgb colour = part_colour(static_cast<int>(i));
+    const Rgb colour = part_colour(*content.part_template, static_cast<int>(i));
     SceneEllipsoid ellipsoid{.axes = {part.position.mean, part.position.stddev}, .colour = colour};
     ellipsoid.opacity = chosen ? 0.5F : 0.3F;
     scene.ellipsoids.push_back(ellipsoid);
@@ -132,11 +125,29 @@ void add_spread(const ViewportContent& content, Scene& scene) {
   }
 }
 
+// Dashed and without faces: nothing to take hold of.
+void add_compared_boxes(const ViewportContent& content, Scene& scene) {
+  const auto& parts = content.compared->parts;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    SceneBox box{
+        .box = parts[i].mean_box(), .colour = part_colour(*content.compared, static_cast<int>(i)), .fill = 0};
+    box.outline = contrasting(box.colour, content.backdrop, 0.1);
+    box.outline_width = 1.3F;
+    box.dash = 4;
+    scene.boxes.push_back(box);
+  }
+}
+
+Rgb colour_of_fitted(const ViewFit& fit, std::size_t part) {
+  const int index = static_cast<int>(part);
+  return fit.part_template ? part_colour(*fit.part_template, index) : part_colour(index);
+}
+
 void add_fitted_boxes(const ViewportContent& content, Scene& scene) {
   const ShapeFit& fit = content.fit->fit;
   for (std::size_t i = 0; i < fit.parts.size(); ++i) {
     if (!fit.parts[i].present) continue;
-    SceneBox box{.box = fit.parts[i].box, .colour = part_colour(static_cast<int>(i)), .fill = 0.05F};
+    SceneBox box{.box = fit.parts[i].box, .colour = colour_of_fitted(*content.fit, i), .fill = 0.05F};
     box.box.centre += fit.translation;
     box.outline_width = 1.2F;
     if (content.view.mean_boxes) box.dash = 3;
@@ -146,6 +157,21 @@ void add_fitted_boxes(const ViewportContent& content, Scene& scene) {
 
 }  // namespace
 
+std::optional<std::pair<glm::dvec3, glm::dvec3>> shape_extent(const ShapeDisplay& display,
+                                                              const ViewFit* fit) {
+  const auto box = [&](const auto& geometry) {
+    // A quarter turn about up: the corners stay corners.
+    const glm::mat4 turn = shape_to_scene(fit);
+    const glm::dvec3 a(turn * glm::vec4(geometry.low, 1));
+    const glm::dvec3 b(turn * glm::vec4(geometry.high, 1));
+    return std::pair(glm::min(a, b), glm::max(a, b));
+  };
+  if (display.mesh && display.mesh->triangle_count() > 0) return box(*display.mesh);
+  if (display.points) return box(*display.points);
+  if (display.samples) return box(*display.samples);
+  return std::nullopt;
+}
+
 ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display, SurfaceColour by) {
   ShapeColours colours;
   // While another shape is being loaded the labels may still be those of the one before.
@@ -154,12 +180,13 @@ ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display, Sur
                                                 : 0;
   const std::size_t samples = display.samples ? display.samples->positions.size() : 0;
   const bool heat = by == SurfaceColour::cost;
+  const PartTemplate* of = fit.part_template.get();
   if (elements > 0 && !heat && fit.element_labels.size() == elements)
-    colours.elements = colours_of_labels(fit.element_labels);
+    colours.elements = colours_of_labels(fit.element_labels, of);
   if (elements > 0 && heat && fit.element_costs.size() == elements)
     colours.elements = heat_colours(std::span(fit.element_costs));
   if (samples > 0 && !heat && fit.fit.labels.size() == samples)
-    colours.samples = colours_of_labels(fit.fit.labels);
+    colours.samples = colours_of_labels(fit.fit.labels, of);
   if (samples > 0 && heat && fit.sample_costs.size() == samples)
     colours.samples = heat_colours(std::span(fit.sample_costs));
   return colours;
@@ -169,11 +196,13 @@ Scene make_viewport_scene(const ViewportContent& content) {
   Scene scene;
   scene.backdrop = content.backdrop;
   scene.grid = content.view.ground;
-  if (const auto extent = shape_extent(content)) scene.ground = static_cast<float>(extent->first.y);
+  if (const auto extent = shape_extent(content.display, content.fit))
+    scene.ground = static_cast<float>(extent->first.y);
   if (content.average && content.view.average) add_average(content, scene);
   add_shape(content, scene);
   if (content.part_template && content.view.mean_boxes) add_mean_boxes(content, scene);
   if (content.part_template && content.view.mean_boxes && content.view.spread) add_spread(content, scene);
+  if (content.compared && content.view.mean_boxes) add_compared_boxes(content, scene);
   if (content.fit && content.view.fitted_boxes) add_fitted_boxes(content, scene);
   return scene;
 }
@@ -187,8 +216,10 @@ std::optional<std::pair<glm::dvec3, glm::dvec3>> extent_to_frame(const ViewportC
   };
   if (content.selected && content.part_template && *content.selected < content.part_template->parts.size()) {
     add_box(content.part_template->parts[*content.selected].mean_box());
+    for (const std::size_t part : content.also_selected)
+      if (part < content.part_template->parts.size()) add_box(content.part_template->parts[part].mean_box());
   } else {
-    if (const auto extent = shape_extent(content)) {
+    if (const auto extent = shape_extent(content.display, content.fit)) {
       bounds.add(to_eigen(extent->first));
       bounds.add(to_eigen(extent->second));
     }

@@ -62,7 +62,7 @@ TEST_CASE("the ellipsoid and the dashed lines of a part are dragged to set its s
 TEST_CASE(
     "Shift drags the spread of all axes in proportion, Esc puts it back, and it never becomes negative") {
   SpreadWindow w;
-  set_position_stddev(w.studio.history, 1, Vec3(0.3, 0.15, 0.6));
+  set_position_stddev(w.studio.history, {1}, Vec3(0.3, 0.15, 0.6));
   w.frames(2);
   w.io.KeyShift = true;
   w.drag(w.end_of(0, 0.3, false), w.end_of(0, 0.6, false));
