@@ -25,6 +25,14 @@ bool can_go_on(const LiveFitRequest& request) {
 // the shape would turn in the view each time. Another yaw than the one shown has to be better by this share.
 constexpr double yaw_margin = 0.01;
 
+std::optional<ShapeFit> fit_at_shown_yaw(const LiveFitRequest& request, const JobControl& control) {
+  const int shown = request.start ? request.start->fit.yaw_quarters : 0;
+  FitOptions options = request.options;
+  options.yaw_costs.fill(std::numeric_limits<double>::infinity());
+  options.yaw_costs[static_cast<std::size_t>(shown)] = 0;
+  return fit_template(*request.part_template, *request.samples, options, control);
+}
+
 std::optional<ShapeFit> fit_at_any_yaw(const LiveFitRequest& request, const JobControl& control) {
   std::optional<ShapeFit> fit =
       fit_template(*request.part_template, *request.samples, request.options, control);
@@ -32,10 +40,7 @@ std::optional<ShapeFit> fit_at_any_yaw(const LiveFitRequest& request, const JobC
   if (!fit || fit->yaw_quarters == shown) return fit;
   const auto energy_at = [&](int yaw) { return fit->yaw_energies[static_cast<std::size_t>(yaw)]; };
   if (energy_at(shown) * (1 - yaw_margin) > energy_at(fit->yaw_quarters)) return fit;
-  FitOptions options = request.options;
-  options.yaw_costs.fill(std::numeric_limits<double>::infinity());
-  options.yaw_costs[static_cast<std::size_t>(shown)] = 0;
-  std::optional<ShapeFit> same = fit_template(*request.part_template, *request.samples, options, control);
+  std::optional<ShapeFit> same = fit_at_shown_yaw(request, control);
   if (same) same->yaw_energies = fit->yaw_energies;
   return same;
 }
@@ -66,7 +71,8 @@ std::optional<LiveFitResult> LiveFitter::run(const LiveFitRequest& request, cons
     std::optional<ShapeFit> fit =
         can_go_on(request)
             ? refit_template(part_template, *request.samples, request.start->fit, request.options, control)
-            : fit_at_any_yaw(request, control);
+        : request.keep_yaw ? fit_at_shown_yaw(request, control)
+                           : fit_at_any_yaw(request, control);
     if (!fit) return std::nullopt;
     result.fit_milliseconds = milliseconds_since(start);
 

@@ -202,7 +202,7 @@ void draw_overlay(Studio& studio, ImVec2 origin, ImVec2 size, const GizmoView& v
 }
 
 std::vector<HandleShape> handles_of_selection(const Studio& studio, const GizmoView& view) {
-  if (studio.ui.look || !studio.ui.view.mean_boxes) return {};
+  if (studio.ui.look || !studio.ui.view.mean_boxes || by_outline(studio.ui.points.tool)) return {};
   const std::optional<Box> held = held_box(selected_boxes(studio));
   return held ? handle_shapes(*held, studio.ui.tool, view) : std::vector<HandleShape>{};
 }
