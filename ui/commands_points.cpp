@@ -39,6 +39,7 @@ std::string needs_part_and_samples(const Studio& studio) {
 void around_command(Studio& studio, Arguments) {
   const Box box = box_around(selected_points(studio), Eigen::Quaterniond::Identity());
   select_only(studio.ui, add_part(studio.history, box));
+  note_made_on_shape(studio);
 }
 
 void deselect_command(Studio& studio, Arguments) {
@@ -63,6 +64,7 @@ void grow_command(Studio& studio, Arguments) {
   std::vector<PlacedPart> placed = selected_boxes(studio);
   for (PlacedPart& each : placed) each.box = grown_to(each.box, points_of(studio, each.part));
   set_part_boxes(studio.history, placed);
+  note_made_on_shape(studio);
 }
 
 void shrink_command(Studio& studio, Arguments) {
@@ -71,6 +73,7 @@ void shrink_command(Studio& studio, Arguments) {
   std::vector<PlacedPart> placed = selected_boxes(studio);
   for (PlacedPart& each : placed) each.box = shrunk_to(each.box, points);
   set_part_boxes(studio.history, placed);
+  note_made_on_shape(studio);
 }
 
 }  // namespace

@@ -28,6 +28,15 @@ bool can_go_on(const LiveFitRequest& request) {
 // the shape would turn in the view each time. Another yaw than the one shown has to be better by this share.
 constexpr double yaw_margin = 0.01;
 
+std::optional<ShapeFit> fit_at_shown_yaw(const PartTemplate& part_template, const LiveFitRequest& request,
+                                         const JobControl& control) {
+  const int shown = request.start ? request.start->fit.yaw_quarters : 0;
+  FitOptions options = request.options;
+  options.yaw_costs.fill(std::numeric_limits<double>::infinity());
+  options.yaw_costs[static_cast<std::size_t>(shown)] = 0;
+  return fit_template(part_template, *request.samples, options, control);
+}
+
 std::optional<ShapeFit> fit_at_any_yaw(const PartTemplate& part_template, const LiveFitRequest& request,
                                        const JobControl& control) {
   std::optional<ShapeFit> fit = fit_template(part_template, *request.samples, request.options, control);
@@ -35,10 +44,7 @@ std::optional<ShapeFit> fit_at_any_yaw(const PartTemplate& part_template, const 
   if (!fit || fit->yaw_quarters == shown) return fit;
   const auto energy_at = [&](int yaw) { return fit->yaw_energies[static_cast<std::size_t>(yaw)]; };
   if (energy_at(shown) * (1 - yaw_margin) > energy_at(fit->yaw_quarters)) return fit;
-  FitOptions options = request.options;
-  options.yaw_costs.fill(std::numeric_limits<double>::infinity());
-  options.yaw_costs[static_cast<std::size_t>(shown)] = 0;
-  std::optional<ShapeFit> same = fit_template(part_template, *request.samples, options, control);
+  std::optional<ShapeFit> same = fit_at_shown_yaw(part_template, request, control);
   if (same) same->yaw_energies = fit->yaw_energies;
   return same;
 }
@@ -78,7 +84,8 @@ std::optional<LiveFitResult> LiveFitter::run(const LiveFitRequest& request, cons
     std::optional<ShapeFit> fit = can_go_on(request)
                                       ? follow_template(part_template, *request.samples, graph(request),
                                                         request.start->fit, request.options, control)
-                                      : fit_at_any_yaw(part_template, request, control);
+                                  : request.keep_yaw ? fit_at_shown_yaw(part_template, request, control)
+                                                     : fit_at_any_yaw(part_template, request, control);
     if (!fit) return std::nullopt;
     result.fit_milliseconds = milliseconds_since(start);
 

@@ -20,6 +20,7 @@ struct LiveFitRequest {
   std::shared_ptr<const ShapeSamples> samples;
   std::shared_ptr<const PolygonMesh> mesh;  // null: the elements are not labelled
   std::shared_ptr<const ViewFit> start;     // of the same shape: fitted on from there while a drag goes on
+  bool keep_yaw = false;                    // boxes were made on the shape as it is shown: it stands right
   bool dragging = false;                    // false: all yaws are tried anew
   FitOptions options;
   std::uint64_t document_revision = 0;  // history.revision() of the template

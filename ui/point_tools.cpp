@@ -36,10 +36,6 @@ Box to_scene(const Studio& studio, const Box& box) {
   return with_nearest_axes({to_scene(studio, box.centre), box.half_extent, turn * box.orientation});
 }
 
-bool by_outline(PointTool tool) {
-  return tool == PointTool::draw_box || tool == PointTool::rectangle || tool == PointTool::lasso;
-}
-
 std::vector<glm::dvec2> rectangle(const glm::dvec2& a, const glm::dvec2& b) {
   return {a, {b.x, a.y}, b, {a.x, b.y}};
 }
@@ -92,6 +88,7 @@ Box box_in_air(const std::vector<glm::dvec2>& outline, const GizmoView& view) {
 void add_box(Studio& studio, Box box) {
   box.half_extent = box.half_extent.cwiseMax(least_thickness);
   select_only(studio.ui, add_part(studio.history, box));
+  note_made_on_shape(studio);
 }
 
 void draw_box(Studio& studio, const std::vector<glm::dvec2>& outline, const GizmoView& view) {
@@ -152,6 +149,10 @@ void ask_for_regions(Studio& studio) {
 
 }  // namespace
 
+bool by_outline(PointTool tool) {
+  return tool == PointTool::draw_box || tool == PointTool::rectangle || tool == PointTool::lasso;
+}
+
 void take_point_tool(Studio& studio, PointTool tool) {
   PointToolState& state = studio.ui.points;
   state.tool = state.tool == tool ? PointTool::none : tool;
@@ -198,6 +199,19 @@ std::vector<Vec3> front_points(const std::vector<Vec3>& points, const std::vecto
   return front;
 }
 
+void note_made_on_shape(Studio& studio) {
+  const PartTemplate* active = studio.history.current().active_template();
+  if (!active || !studio.shape.samples) return;
+  studio.ui.points.made_on = studio.shape.shape_revision;
+  studio.ui.points.made_for = active->name;
+}
+
+bool stands_as_shown(const Studio& studio) {
+  const PartTemplate* active = studio.history.current().active_template();
+  return active && studio.ui.points.made_on == studio.shape.shape_revision &&
+         studio.ui.points.made_for == active->name;
+}
+
 bool follow_point_tool(Studio& studio, const MouseInput& mouse, const GizmoView& view) {
   PointToolState& state = studio.ui.points;
   if (state.tool == PointTool::none) return false;
@@ -215,7 +229,7 @@ bool follow_point_tool(Studio& studio, const MouseInput& mouse, const GizmoView&
     add_box(studio, to_scene(studio, state.regions->boxes[*state.hovered]));
     return true;
   }
-  const bool free = studio.viewport.action == MouseAction::none && !studio.viewport.handle;
+  const bool free = studio.viewport.action == MouseAction::none;
   if (mouse.pressed && mouse.button == ImGuiMouseButton_Left && free) state.outline = {mouse.cursor};
   if (state.outline.empty()) return false;
   if (!mouse.held && !mouse.released) {

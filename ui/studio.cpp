@@ -73,6 +73,7 @@ void ask_for_fit(Studio& studio) {
   request.samples = studio.shape.samples;
   request.mesh = studio.shape.mesh;
   request.start = studio.shape.fit;
+  request.keep_yaw = !look && stands_as_shown(studio);
   request.dragging = studio.history.has_preview();
   request.document_revision = revision;
   request.shape_revision = studio.shape.shape_revision;

@@ -148,7 +148,7 @@ void draw_template_panel(Studio& studio) {
   const float width = share_of_width(3);
   command_button(studio, "add-part", std::string(icon::plus) + " Add", {width, 0});
   ImGui::SameLine();
-  command_button(studio, "duplicate-part", std::string(icon::copy) + " Double", {width, 0});
+  command_button(studio, "duplicate-part", "Duplicate", {width, 0});
   ImGui::SameLine();
   command_button(studio, "mirror-part", std::string(icon::mirror) + " Mirror", {width, 0});
   command_button(studio, "draw-box", std::string(icon::draw) + " Draw", {width, 0});

@@ -185,7 +185,7 @@ void draw_overlay(Studio& studio, const PlacedPane& placed, const GizmoView& vie
 
 std::vector<HandleShape> handles_of_selection(const Studio& studio, const GizmoView& view) {
   if (studio.ui.view.spread) return {};  // they would lie among the dots of the spread
-  if (studio.ui.look || !studio.ui.view.mean_boxes) return {};
+  if (studio.ui.look || !studio.ui.view.mean_boxes || by_outline(studio.ui.points.tool)) return {};
   const std::optional<Box> held = held_box(selected_boxes(studio));
   return held ? handle_shapes(*held, studio.ui.tool, view) : std::vector<HandleShape>{};
 }
@@ -209,7 +209,8 @@ void follow_mouse_in(Studio& studio, const std::vector<PlacedPane>& panes) {
   for (std::size_t i = 0; i < panes.size(); ++i) {
     if (panes[i].index != state.current) continue;
     const GizmoView view = view_of(studio, panes[i]);
-    if (!studio.ui.transform && follow_spread(studio, inputs[i], view)) continue;
+    if (!studio.ui.transform && !by_outline(studio.ui.points.tool) && follow_spread(studio, inputs[i], view))
+      continue;
     follow_mouse(studio, inputs[i], make_viewport_scene(content_of(studio)), view,
                  handles_of_selection(studio, view));
   }

@@ -7,6 +7,7 @@
 
 #include "tests/ui/viewport_window.h"
 #include "ui/command.h"
+#include "ui/selection.h"
 
 using namespace archetype;
 using namespace archetype::test;
@@ -225,4 +226,52 @@ TEST_CASE("another way to navigate: Blender's buttons") {
   CHECK(w.state.pane().camera == before);
   w.drag({60, 60}, {160, 110}, 2);
   CHECK(w.state.pane().camera.yaw != before.yaw);
+}
+
+TEST_CASE("Ctrl and click selects several boxes, whose handles move them together as one step") {
+  Window w;
+  w.click(w.pixel_of(w.box(0).centre));
+  w.io.KeyCtrl = true;
+  w.click(w.pixel_of(w.box(1).centre));
+  w.io.KeyCtrl = false;
+  CHECK(selected_parts(w.studio.ui) == PartList{1, 0});
+  const std::size_t steps = w.steps();
+  const Box first = w.box(0);
+  const Box second = w.box(1);
+  const glm::dvec2 middle = w.pixel_of(0.5 * (first.centre + second.centre));
+  REQUIRE(w.handle_at(middle) == Handle{HandleKind::move_view, 0, {}});
+  w.drag(middle, middle + glm::dvec2(60, -30));
+  CHECK(w.steps() == steps + 1);
+  const Vec3 way = w.box(0).centre - first.centre;
+  CHECK(way.norm() > 0.1);
+  CHECK((w.box(1).centre - second.centre - way).norm() < 1e-9);
+  CHECK(w.box(1).half_extent == second.half_extent);
+  w.io.KeyCtrl = true;
+  w.click(w.pixel_of(w.box(1).centre + Vec3(0.25, 0, 0)));
+  w.io.KeyCtrl = false;
+  CHECK(selected_parts(w.studio.ui) == PartList{0});
+}
+
+TEST_CASE("Ctrl held while dragging snaps to the other box, and what it snaps to is shown") {
+  Window w;
+  set_part_box(w.studio.history, 1, {{0.7, 0.13, 0}, {0.4, 0.5, 0.3}, Eigen::Quaterniond::Identity()});
+  w.studio.ui.part = 1;
+  w.frames(2);
+  const Box box = w.box(1);
+  const glm::dvec2 from = w.pixel_of(box.centre);
+  REQUIRE(w.handle_at(from));
+  w.press(from);
+  w.studio.ui.drag_axis = 1;
+  const glm::dvec2 to = w.pixel_of(box.centre - Vec3(0, 0.12, 0));
+  w.move_to(to);
+  CHECK(std::abs(w.box(1).centre.y()) > 1e-6);
+  w.io.KeyCtrl = true;
+  w.frames(2);
+  CHECK(std::abs(w.box(1).centre.y()) < 1e-9);
+  REQUIRE(w.state.snapped);
+  CHECK(w.state.snapped->planes[0].name.find("left") != std::string::npos);
+  w.release();
+  w.io.KeyCtrl = false;
+  CHECK_FALSE(w.state.snapped);
+  CHECK(std::abs(w.box(1).centre.y()) < 1e-9);
 }
