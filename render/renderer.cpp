@@ -120,8 +120,9 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const PictureSize&
     const gl::DrawInto here(drawn);
     gl::clear(glm::vec4(0));
     draw_backdrop(scene);
+    draw_points(scene, view, true);
     draw_meshes(scene, view);
-    draw_points(scene, view);
+    draw_points(scene, view, false);
     draw_grid(scene, view);
     draw_faces(scene, view);
     draw_lines(scene, view);
@@ -165,14 +166,18 @@ void Renderer::draw_meshes(const Scene& scene, const View& view) {
   }
 }
 
-void Renderer::draw_points(const Scene& scene, const View& view) {
-  if (scene.points.empty()) return;
-  gl::apply({});
+void Renderer::draw_points(const Scene& scene, const View& view, bool behind) {
+  const auto wanted = [&](const ScenePoints& points) { return points.behind == behind; };
+  if (std::ranges::none_of(scene.points, wanted)) return;
+  if (behind)
+    gl::apply({.depth_test = gl::DepthTest::off, .depth_write = false});
+  else
+    gl::apply({});
   view.set(points_);
   points_.set("scale", view.pixels_per_unit);
   points_.set("diameters", glm::vec2(least_splat_diameter, largest_splat_diameter) * view.finer);
   for (const ScenePoints& points : scene.points) {
-    if (!points.geometry || points.geometry->positions.empty()) continue;
+    if (!wanted(points) || !points.geometry || points.geometry->positions.empty()) continue;
     const gl::VertexArray& vertices = uploads_.points(points);
     points_.set("transform", points.transform);
     points_.set("colour", points.colours ? glm::vec4(0) : unit_colour(points.colour));

@@ -55,7 +55,7 @@ class Renderer {
   void resize(const PictureSize& size, RenderTarget& target) const;
   void draw_backdrop(const Scene& scene) const;
   void draw_meshes(const Scene& scene, const View& view);
-  void draw_points(const Scene& scene, const View& view);
+  void draw_points(const Scene& scene, const View& view, bool behind);
   void draw_grid(const Scene& scene, const View& view) const;
   void draw_faces(const Scene& scene, const View& view);
   void draw_lines(const Scene& scene, const View& view);

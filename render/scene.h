@@ -29,8 +29,9 @@ struct ScenePoints {
   std::shared_ptr<const PointGeometry> geometry{};
   std::shared_ptr<const Colours> colours{};  // one per point; none: `colour` for all
   Rgb colour{200, 198, 194};
-  float radius = 0;  // of a splat, scene units; 0: from the spacing of the points
-  bool lit = true;   // has no effect without normals
+  float radius = 0;     // of a splat, scene units; 0: from the spacing of the points
+  bool lit = true;      // has no effect without normals
+  bool behind = false;  // everything else, in the order of the points: a ghost
   glm::mat4 transform{1};
 };
 

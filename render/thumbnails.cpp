@@ -31,10 +31,12 @@ Picture point_thumbnail(Renderer& renderer, const std::shared_ptr<const PointGeo
   return draw_thumbnail(renderer, std::move(scene), geometry->positions, options);
 }
 
-std::shared_ptr<const Colours> colours_of_labels(std::span<const std::int16_t> labels) {
+std::shared_ptr<const Colours> colours_of_labels(std::span<const std::int16_t> labels,
+                                                 const PartTemplate* part_template) {
   auto colours = std::make_shared<Colours>();
   colours->reserve(labels.size());
-  for (const std::int16_t label : labels) colours->push_back(part_colour(label));
+  for (const std::int16_t label : labels)
+    colours->push_back(part_template ? part_colour(*part_template, label) : part_colour(label));
   return colours;
 }
 

@@ -22,6 +22,7 @@ Picture point_thumbnail(Renderer& renderer, const std::shared_ptr<const PointGeo
                         std::shared_ptr<const Colours> colours, const ThumbnailOptions& options = {});
 
 // The colour of each part index (null_label: grey), for `face_colours` above and in scenes.
-std::shared_ptr<const Colours> colours_of_labels(std::span<const std::int16_t> labels);
+std::shared_ptr<const Colours> colours_of_labels(std::span<const std::int16_t> labels,
+                                                 const PartTemplate* part_template = nullptr);
 
 }  // namespace archetype

@@ -13,8 +13,11 @@ std::vector<Command> all_commands() {
   add_file_commands(commands);
   add_edit_commands(commands);
   add_template_commands(commands);
+  add_part_list_commands(commands);
   add_part_commands(commands);
+  add_point_commands(commands);
   add_view_commands(commands);
+  add_strip_commands(commands);
   add_fit_commands(commands);
   add_learning_commands(commands);
   add_help_commands(commands);

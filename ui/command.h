@@ -25,6 +25,7 @@ struct Command {
   std::string (*why_not)(const Studio&) = nullptr;
   bool (*checked)(const Studio&) = nullptr;  // for switches: whether it is on
   bool separator = false;                    // a line above it in its menu
+  bool edits = false;                        // it changes the document, by one step that can be undone
   bool at_once = false;                      // a script runs it without waiting for what is still under way
 };
 

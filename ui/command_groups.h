@@ -11,8 +11,11 @@ namespace archetype {
 void add_file_commands(std::vector<Command>& commands);
 void add_edit_commands(std::vector<Command>& commands);
 void add_template_commands(std::vector<Command>& commands);
+void add_part_list_commands(std::vector<Command>& commands);
 void add_part_commands(std::vector<Command>& commands);
+void add_point_commands(std::vector<Command>& commands);
 void add_view_commands(std::vector<Command>& commands);
+void add_strip_commands(std::vector<Command>& commands);
 void add_fit_commands(std::vector<Command>& commands);
 void add_learning_commands(std::vector<Command>& commands);
 void add_help_commands(std::vector<Command>& commands);

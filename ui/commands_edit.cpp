@@ -1,5 +1,6 @@
 // The menu Edit.
 #include "ui/command_groups.h"
+#include "ui/selection.h"
 #include "ui/studio.h"
 
 namespace archetype {
@@ -34,14 +35,21 @@ void cancel_command(Studio& studio, Arguments) {
     studio.ui.help = studio.ui.about = false;
   } else if (studio.ui.show_suggestions) {
     studio.ui.show_suggestions = false;
+  } else if (studio.ui.transform) {
+    cancel_transform(studio);
+    studio.ui.status = "Cancelled";
   } else if (studio.history.has_preview()) {
     studio.history.cancel_preview();
     studio.ui.cancel_drag = true;
     studio.ui.status = "Cancelled";
+  } else if (studio.ui.points.tool != PointTool::none) {
+    take_point_tool(studio, PointTool::none);
+  } else if (!selected_points(studio).empty()) {
+    studio.ui.points.selected.clear();
   } else if (studio.ui.look) {
     stop_looking(studio);
   } else {
-    studio.ui.part.reset();
+    select_only(studio.ui, std::nullopt);
   }
 }
 

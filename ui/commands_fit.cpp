@@ -71,6 +71,15 @@ void report_latency(Studio& studio, Arguments) {
   studio.output.emplace_back(line);
 }
 
+void report_frames(Studio& studio, Arguments) {
+  const auto& frames = studio.frames.milliseconds();
+  char line[256];
+  std::snprintf(line, sizeof line, "frames: %zu, median %.1f ms, 95th percentile %.1f ms, longest %.1f ms",
+                frames.size(), percentile(frames, 0.5).value_or(0), percentile(frames, 0.95).value_or(0),
+                percentile(frames, 1).value_or(0));
+  studio.output.emplace_back(line);
+}
+
 // The same live edits as a drag with the mouse, one a frame.
 void drag_part(Studio& studio, Arguments arguments) {
   ScriptedDrag drag;
@@ -85,6 +94,8 @@ void drag_part(Studio& studio, Arguments arguments) {
 
 void clear_latency(Studio& studio, Arguments) {
   studio.latency.clear();
+  studio.strip.latency.clear();
+  studio.frames.clear();
 }
 
 }  // namespace
@@ -129,7 +140,8 @@ void add_fit_commands(std::vector<Command>& commands) {
            .run = report_fit,
            .why_not = needs_fit},
           {.name = "report-latency", .title = "Print how fast fits follow edits", .run = report_latency},
-          {.name = "clear-latency", .title = "Forget the measured latencies", .run = clear_latency},
+          {.name = "report-frames", .title = "Print how long frames take", .run = report_frames},
+          {.name = "clear-latency", .title = "Forget the measured times", .run = clear_latency},
       });
 }
 

@@ -1,11 +1,13 @@
-// The menu Part: parts of the active template.
+// The menu Part: the numbers of the selected parts.
 #include <Eigen/Geometry>
 #include <numbers>
 
 #include "core/base/error.h"
+#include "core/model/part_colours.h"
 #include "core/session/actions.h"
 #include "ui/box_angles.h"
 #include "ui/command_groups.h"
+#include "ui/selection.h"
 #include "ui/studio.h"
 
 namespace archetype {
@@ -22,49 +24,6 @@ Box selected_box(const Studio& studio) {
 Vec3 vector_argument(Arguments arguments) {
   return {number_argument(arguments, 0, "x y z"), number_argument(arguments, 1, "x y z"),
           number_argument(arguments, 2, "x y z")};
-}
-
-// In the middle, of a size that can be taken hold of.
-void add_command(Studio& studio, Arguments arguments) {
-  Box box;
-  box.half_extent = Vec3::Constant(0.3);
-  const std::size_t part = add_part(studio.history, box);
-  if (!arguments.empty()) rename_part(studio.history, part, text_argument(arguments, 0, "a name"));
-  studio.ui.part = part;
-}
-
-void duplicate_command(Studio& studio, Arguments) {
-  studio.ui.part = duplicate_part(studio.history, *studio.ui.part);
-}
-
-void mirror_command(Studio& studio, Arguments) {
-  studio.ui.part = mirror_part(studio.history, *studio.ui.part);
-}
-
-void delete_command(Studio& studio, Arguments) {
-  remove_part(studio.history, *studio.ui.part);
-  studio.ui.part.reset();
-}
-
-// What is dragged is the selected part, until the mouse lets go of it.
-std::string needs_no_drag(const Studio& studio) {
-  if (std::string reason = needs_template(studio); !reason.empty()) return reason;
-  return studio.history.has_preview() ? "let go of what you drag first" : "";
-}
-
-void select_command(Studio& studio, Arguments arguments) {
-  const std::string name = text_argument(arguments, 0, "the name of a part");
-  for (std::size_t i = 0; i < active(studio).parts.size(); ++i)
-    if (active(studio).parts[i].name == name) {
-      studio.ui.part = i;
-      return;
-    }
-  throw Error("the template has no part \"" + name + "\"");
-}
-
-void next_command(Studio& studio, Arguments) {
-  const std::size_t count = active(studio).parts.size();
-  if (count > 0) studio.ui.part = studio.ui.part ? (*studio.ui.part + 1) % count : 0;
 }
 
 void rename_command(Studio& studio, Arguments arguments) {
@@ -91,30 +50,41 @@ void rotation_command(Studio& studio, Arguments arguments) {
 }
 
 void position_spread_command(Studio& studio, Arguments arguments) {
-  set_position_stddev(studio.history, *studio.ui.part, vector_argument(arguments));
+  set_position_stddev(studio.history, selected_parts(studio.ui), vector_argument(arguments));
 }
 
 void size_spread_command(Studio& studio, Arguments arguments) {
-  set_scale_stddev(studio.history, *studio.ui.part, vector_argument(arguments));
+  set_scale_stddev(studio.history, selected_parts(studio.ui), vector_argument(arguments));
 }
 
 void label_command(Studio& studio, Arguments arguments) {
   const double label = number_argument(arguments, 0, "a whole number from 0");
   if (label < 0 || label > 32'000 || label != static_cast<int>(label))
     throw Error("a label is a whole number from 0");
-  set_part_label(studio.history, *studio.ui.part, static_cast<int>(label));
+  set_part_label(studio.history, selected_parts(studio.ui), static_cast<int>(label));
+}
+
+void colour_command(Studio& studio, Arguments arguments) {
+  int colour = -1;
+  if (text_argument(arguments, 0, "a number or auto") != "auto") {
+    const double number = number_argument(arguments, 0, "a number or auto");
+    if (number < 0 || number >= part_colour_count || number != static_cast<int>(number))
+      throw Error("colours have the numbers 0 to " + std::to_string(part_colour_count - 1));
+    colour = static_cast<int>(number);
+  }
+  set_part_colour(studio.history, selected_parts(studio.ui), colour);
 }
 
 void must_exist_command(Studio& studio, Arguments arguments) {
   const bool now = active(studio).parts[*studio.ui.part].must_exist;
   const bool wanted = arguments.empty() ? !now : text_argument(arguments, 0, "yes or no") == "yes";
-  set_must_exist(studio.history, *studio.ui.part, wanted);
+  set_must_exist(studio.history, selected_parts(studio.ui), wanted);
 }
 
 void existence_command(Studio& studio, Arguments arguments) {
   const double existence = number_argument(arguments, 0, "a share above 0, at most 1");
   if (existence <= 0 || existence > 1) throw Error("existence is above 0 and at most 1");
-  set_existence(studio.history, *studio.ui.part, existence);
+  set_existence(studio.history, selected_parts(studio.ui), existence);
 }
 
 bool must_exist_checked(const Studio& studio) {
@@ -127,90 +97,68 @@ bool must_exist_checked(const Studio& studio) {
 
 void add_part_commands(std::vector<Command>& commands) {
   commands.insert(commands.end(), {
-                                      {.name = "add-part",
-                                       .title = "Add part",
-                                       .menu = "Part",
-                                       .key = "Shift+A",
-                                       .arguments = "[NAME]",
-                                       .run = add_command,
-                                       .why_not = needs_template},
-                                      {.name = "duplicate-part",
-                                       .title = "Duplicate part",
-                                       .menu = "Part",
-                                       .key = "Ctrl+D",
-                                       .run = duplicate_command,
-                                       .why_not = needs_part},
-                                      {.name = "mirror-part",
-                                       .title = "Mirror part",
-                                       .menu = "Part",
-                                       .key = "Ctrl+M",
-                                       .run = mirror_command,
-                                       .why_not = needs_part},
-                                      {.name = "delete-part",
-                                       .title = "Delete part",
-                                       .menu = "Part",
-                                       .key = "Delete",
-                                       .run = delete_command,
-                                       .why_not = needs_part},
-                                      {.name = "next-part",
-                                       .title = "Select the next part",
-                                       .menu = "Part",
-                                       .key = "Tab",
-                                       .run = next_command,
-                                       .why_not = needs_no_drag,
-                                       .separator = true},
                                       {.name = "must-exist",
                                        .title = "Must exist",
                                        .menu = "Part",
                                        .arguments = "[yes|no]",
                                        .run = must_exist_command,
                                        .why_not = needs_part,
-                                       .checked = must_exist_checked},
-                                      {.name = "select-part",
-                                       .title = "Select a part",
-                                       .arguments = "NAME",
-                                       .run = select_command,
-                                       .why_not = needs_no_drag},
+                                       .checked = must_exist_checked,
+                                       .edits = true},
                                       {.name = "rename-part",
                                        .title = "Rename the part",
                                        .arguments = "NAME",
                                        .run = rename_command,
-                                       .why_not = needs_part},
+                                       .why_not = needs_part,
+                                       .edits = true},
                                       {.name = "set-position",
                                        .title = "Put the part at",
                                        .arguments = "X Y Z",
                                        .run = position_command,
-                                       .why_not = needs_part},
+                                       .why_not = needs_part,
+                                       .edits = true},
                                       {.name = "set-size",
                                        .title = "Half extents of the part",
                                        .arguments = "X Y Z",
                                        .run = size_command,
-                                       .why_not = needs_part},
+                                       .why_not = needs_part,
+                                       .edits = true},
                                       {.name = "set-rotation",
                                        .title = "Rotation of the part, degrees",
                                        .arguments = "X Y Z",
                                        .run = rotation_command,
-                                       .why_not = needs_part},
+                                       .why_not = needs_part,
+                                       .edits = true},
                                       {.name = "set-position-spread",
                                        .title = "Spread of the position",
                                        .arguments = "X Y Z",
                                        .run = position_spread_command,
-                                       .why_not = needs_part},
+                                       .why_not = needs_part,
+                                       .edits = true},
                                       {.name = "set-size-spread",
                                        .title = "Spread of the size",
                                        .arguments = "X Y Z",
                                        .run = size_spread_command,
-                                       .why_not = needs_part},
+                                       .why_not = needs_part,
+                                       .edits = true},
                                       {.name = "set-label",
                                        .title = "Label of the part",
                                        .arguments = "NUMBER",
                                        .run = label_command,
-                                       .why_not = needs_part},
+                                       .why_not = needs_part,
+                                       .edits = true},
+                                      {.name = "set-colour",
+                                       .title = "Colour of the part",
+                                       .arguments = "NUMBER|auto",
+                                       .run = colour_command,
+                                       .why_not = needs_part,
+                                       .edits = true},
                                       {.name = "set-existence",
                                        .title = "Existence of the part",
                                        .arguments = "SHARE",
                                        .run = existence_command,
-                                       .why_not = needs_part},
+                                       .why_not = needs_part,
+                                       .edits = true},
                                   });
 }
 

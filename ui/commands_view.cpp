@@ -23,6 +23,11 @@ void toggle_colour(Studio& studio, Arguments) {
   colour = colour == SurfaceColour::part ? SurfaceColour::plain : SurfaceColour::part;
 }
 
+void toggle_heat(Studio& studio, Arguments) {
+  SurfaceColour& colour = studio.ui.view.colour;
+  colour = colour == SurfaceColour::cost ? SurfaceColour::part : SurfaceColour::cost;
+}
+
 bool colour_is_part(const Studio& studio) {
   return studio.ui.view.colour == SurfaceColour::part;
 }
@@ -34,6 +39,23 @@ void look(Studio& studio, Arguments) {
 
 void frame_selection(Studio& studio, Arguments) {
   studio.ui.wanted_frame = true;
+}
+
+// G, S and R take the tool, and begin at once where something is selected.
+template <BoxTool tool>
+void transform_command(Studio& studio, Arguments) {
+  studio.ui.tool = tool;
+  begin_transform(studio, tool);
+}
+
+std::string needs_no_handle(const Studio& studio) {
+  return studio.viewport.drag || (studio.history.has_preview() && !studio.ui.transform)
+             ? "let go of what you drag first"
+             : "";
+}
+
+void toggle_snapping(Studio& studio, Arguments) {
+  studio.ui.snapping = !studio.ui.snapping;
 }
 
 template <BoxTool tool>
@@ -49,12 +71,12 @@ bool has_tool(const Studio& studio) {
 // Pressed again, the key lets the drag go free.
 template <int axis>
 void keep_to_axis(Studio& studio, Arguments) {
-  std::optional<int>& kept = studio.ui.drag_axis;
+  std::optional<int>& kept = studio.ui.transform ? studio.ui.transform->axis : studio.ui.drag_axis;
   kept = kept == axis ? std::nullopt : std::optional(axis);
 }
 
 std::string needs_handle(const Studio& studio) {
-  return studio.viewport.drag ? "" : "drag a handle of the selected box first";
+  return studio.viewport.drag || studio.ui.transform ? "" : "press G, S or R or drag a handle first";
 }
 
 void set_theme(Studio& studio, const char* theme) {
@@ -149,6 +171,12 @@ void add_view_commands(std::vector<Command>& commands) {
            .key = "C",
            .run = toggle_colour,
            .checked = colour_is_part},
+          {.name = "heat-map",
+           .title = "Colour by how badly points are explained",
+           .menu = "View",
+           .key = "H",
+           .run = toggle_heat,
+           .checked = [](const Studio& s) { return s.ui.view.colour == SurfaceColour::cost; }},
           {.name = "boxes",
            .title = "Template boxes",
            .menu = "View",
@@ -161,6 +189,19 @@ void add_view_commands(std::vector<Command>& commands) {
            .key = "Shift+B",
            .run = toggle<&ViewOptions::fitted_boxes>,
            .checked = is_on<&ViewOptions::fitted_boxes>},
+          {.name = "average",
+           .title = "Average of the collection",
+           .menu = "View",
+           .key = "O",
+           .run = toggle<&ViewOptions::average>,
+           .why_not = needs_collection,
+           .checked = is_on<&ViewOptions::average>},
+          {.name = "spread",
+           .title = "Spread of the parts",
+           .menu = "View",
+           .key = "E",
+           .run = toggle<&ViewOptions::spread>,
+           .checked = is_on<&ViewOptions::spread>},
           {.name = "part-names",
            .title = "Names of parts",
            .menu = "View",
@@ -179,6 +220,12 @@ void add_view_commands(std::vector<Command>& commands) {
            .run = toggle<&ViewOptions::orthographic>,
            .checked = is_on<&ViewOptions::orthographic>,
            .separator = true},
+          {.name = "four-views",
+           .title = "Perspective, top, front and right",
+           .menu = "View",
+           .key = "4",
+           .run = toggle<&ViewOptions::four_views>,
+           .checked = is_on<&ViewOptions::four_views>},
           {.name = "view-front",
            .title = "From the front",
            .menu = "View",
@@ -222,22 +269,43 @@ void add_view_commands(std::vector<Command>& commands) {
           {.name = "tool-move",
            .title = "Move boxes",
            .menu = "Part",
-           .key = "G",
            .run = take_tool<BoxTool::move>,
            .checked = has_tool<BoxTool::move>,
            .separator = true},
           {.name = "tool-scale",
            .title = "Scale boxes",
            .menu = "Part",
-           .key = "S",
            .run = take_tool<BoxTool::scale>,
            .checked = has_tool<BoxTool::scale>},
           {.name = "tool-rotate",
            .title = "Rotate boxes",
            .menu = "Part",
-           .key = "R",
            .run = take_tool<BoxTool::rotate>,
            .checked = has_tool<BoxTool::rotate>},
+          {.name = "grab",
+           .title = "Move with the mouse or by numbers",
+           .menu = "Part",
+           .key = "G",
+           .run = transform_command<BoxTool::move>,
+           .why_not = needs_no_handle},
+          {.name = "scale",
+           .title = "Scale with the mouse or by numbers",
+           .menu = "Part",
+           .key = "S",
+           .run = transform_command<BoxTool::scale>,
+           .why_not = needs_no_handle},
+          {.name = "rotate",
+           .title = "Rotate with the mouse or by numbers",
+           .menu = "Part",
+           .key = "R",
+           .run = transform_command<BoxTool::rotate>,
+           .why_not = needs_no_handle},
+          {.name = "snapping",
+           .title = "Snap dragged boxes",
+           .menu = "Part",
+           .key = "Shift+S",
+           .run = toggle_snapping,
+           .checked = [](const Studio& s) { return s.ui.snapping; }},
           {.name = "axis-x",
            .title = "Keep the drag to the x axis",
            .menu = "Part",

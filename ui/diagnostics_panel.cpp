@@ -35,10 +35,20 @@ void draw_diagnostics_panel(Studio& studio) {
   } else {
     line(studio, "Edit to displayed fit", "not measured yet: drag a box of a shape in view");
   }
+  if (const auto middle = studio.strip.latency.percentile(0.5))
+    line(studio, "Edit to displayed strip",
+         "median " + milliseconds(*middle) + ", 95th percentile " +
+             milliseconds(*studio.strip.latency.percentile(0.95)) + ", of " +
+             std::to_string(studio.strip.latency.milliseconds().size()) + " edits; last fits " +
+             milliseconds(studio.strip.fit_milliseconds));
   line(studio, "Last fit",
        milliseconds(studio.live_fit.fit_milliseconds) + ", labels of the faces " +
            milliseconds(studio.live_fit.label_milliseconds));
-  line(studio, "Frames", milliseconds(studio.frame_milliseconds) + " for the last");
+  if (const auto middle = percentile(studio.frames.milliseconds(), 0.5))
+    line(studio, "Frames",
+         "median " + milliseconds(*middle) + ", 95th percentile " +
+             milliseconds(*percentile(studio.frames.milliseconds(), 0.95)) + ", of the last " +
+             std::to_string(studio.frames.milliseconds().size()));
   if (!median) return;
   const std::vector<float> values(studio.latency.milliseconds().begin(), studio.latency.milliseconds().end());
   ImGui::PlotLines("##latency", values.data(), static_cast<int>(values.size()), 0, nullptr, 0, 200,

@@ -47,22 +47,6 @@ void energy_row(const Studio& studio, const char* name, const char* meaning, dou
   ImGui::TextUnformatted(number(value).c_str());
 }
 
-// What the energy would be if no part had to exist: 1000 more a part says nothing to a person, and its bar
-// would hide the others.
-FitEnergy without_missing(FitEnergy energy, std::size_t missing_parts) {
-  energy.existence -= missing_must_exist_energy * static_cast<double>(missing_parts);
-  return energy;
-}
-
-std::vector<std::string> missing_parts(const ViewFit& view) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < view.part_template->parts.size(); ++i) {
-    const TemplatePart& part = view.part_template->parts[i];
-    if (part.must_exist && !view.fit.parts[i].present) names.push_back(part.name);
-  }
-  return names;
-}
-
 void draw_energy(const Studio& studio, const FitEnergy& energy) {
   const std::array terms{energy.shape_to_template, energy.template_to_shape, energy.features,
                          energy.deformation,       energy.smoothness,        energy.existence};
@@ -112,7 +96,7 @@ void draw_parts(const Studio& studio, const ViewFit& view) {
   const auto all = static_cast<double>(std::max<std::size_t>(1, view.fit.labels.size()));
   for (std::size_t i = 0; i <= view.part_template->parts.size(); ++i) {
     const bool null = i == view.part_template->parts.size();
-    const Rgb rgb = part_colour(null ? -1 : static_cast<int>(i));
+    const Rgb rgb = part_colour(*view.part_template, null ? -1 : static_cast<int>(i));
     const bool absent = !null && !view.fit.parts[i].present;
     const std::string name = null ? "no part" : view.part_template->parts[i].name;
     char share[48];
@@ -149,7 +133,7 @@ void draw_fit_panel(Studio& studio) {
     return;
   }
   const std::vector<std::string> missing = missing_parts(*view);
-  const FitEnergy energy = without_missing(view->fit.energy, missing.size());
+  const FitEnergy energy = energy_without_missing(*view);
   ImGui::PushFont(studio.fonts.title);
   ImGui::TextUnformatted(number(energy.total()).c_str());
   ImGui::PopFont();

@@ -128,6 +128,7 @@ void draw_bottom(Studio& studio) {
     void (*draw)(Studio&);
   };
   const std::array tabs{Tab{BottomTab::jobs, "Jobs", draw_jobs_panel},
+                        Tab{BottomTab::strip, "Other shapes", draw_strip_panel},
                         Tab{BottomTab::learning, "Learning", draw_learning_panel},
                         Tab{BottomTab::messages, "Messages", draw_messages_panel},
                         Tab{BottomTab::history, "History", draw_history_panel},
@@ -149,6 +150,7 @@ void draw_bottom(Studio& studio) {
 
 void draw_inspector(Studio& studio) {
   draw_template_panel(studio);
+  draw_compare_panel(studio);
   draw_part_panel(studio);
   draw_fit_panel(studio);
 }
@@ -211,6 +213,7 @@ std::span<const Panel> all_panels() {
                                      Panel{"template", draw_template_panel},
                                      Panel{"part", draw_part_panel},
                                      Panel{"fit", draw_fit_panel},
+                                     Panel{"strip", draw_strip_panel},
                                      Panel{"jobs", draw_jobs_panel},
                                      Panel{"learning", draw_learning_panel},
                                      Panel{"messages", draw_messages_panel},

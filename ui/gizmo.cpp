@@ -107,17 +107,6 @@ void add_resizers(std::vector<HandleShape>& shapes, const Box& box, const GizmoV
     }
 }
 
-// Leaves out the dots of `shapes` that would lie over those of `kept`: on thin boxes they crowd.
-std::vector<HandleShape> without_crowd(std::vector<HandleShape> shapes,
-                                       const std::vector<HandleShape>& kept) {
-  std::erase_if(shapes, [&](const HandleShape& shape) {
-    return std::any_of(kept.begin(), kept.end(), [&](const HandleShape& other) {
-      return glm::length(shape.points[0] - other.points[0]) < shape.radius + other.radius + 2;
-    });
-  });
-  return shapes;
-}
-
 double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
   const glm::dvec2 way = b - a;
   const double square = glm::dot(way, way);
@@ -156,6 +145,31 @@ bool covers(const HandleShape& shape, const glm::dvec2& cursor, double spare) {
   return false;
 }
 
+// Leaves out the dots of `shapes` that would lie over those of `kept`: on thin boxes they crowd.
+std::vector<HandleShape> without_crowd(std::vector<HandleShape> shapes,
+                                       const std::vector<HandleShape>& kept) {
+  std::erase_if(shapes, [&](const HandleShape& shape) {
+    return std::any_of(kept.begin(), kept.end(), [&](const HandleShape& other) {
+      return covers(other, shape.points[0], shape.radius + 2);
+    });
+  });
+  return shapes;
+}
+
+// The edges and corners, below all of `shapes` and only where they keep clear of them.
+std::vector<HandleShape> with_edges_and_corners(std::vector<HandleShape> shapes, const Box& box,
+                                                const GizmoView& view) {
+  std::vector<HandleShape> corners;
+  add_resizers(corners, box, view, 3);
+  corners = without_crowd(std::move(corners), shapes);
+  corners.insert(corners.end(), shapes.begin(), shapes.end());
+  std::vector<HandleShape> all;
+  add_resizers(all, box, view, 2);
+  all = without_crowd(std::move(all), corners);
+  all.insert(all.end(), corners.begin(), corners.end());
+  return all;
+}
+
 }  // namespace
 
 std::vector<HandleShape> handle_shapes(const Box& box, BoxTool tool, const GizmoView& view) {
@@ -168,23 +182,18 @@ std::vector<HandleShape> handle_shapes(const Box& box, BoxTool tool, const Gizmo
   }
   std::vector<HandleShape> faces;
   add_resizers(faces, box, view, 1);
-  if (tool == BoxTool::scale) {
-    std::vector<HandleShape> corners;
-    add_resizers(corners, box, view, 3);
-    corners = without_crowd(std::move(corners), faces);
-    corners.insert(corners.end(), faces.begin(), faces.end());
-    std::vector<HandleShape> edges;
-    add_resizers(edges, box, view, 2);
-    shapes = without_crowd(std::move(edges), corners);
-    shapes.insert(shapes.end(), corners.begin(), corners.end());
-    return shapes;
-  }
+  if (tool == BoxTool::scale) return with_edges_and_corners(std::move(faces), box, view);
   add_planes(shapes, box, view, unit);
   add_arrows(shapes, box, view, unit);
   add_shape(shapes, view,
             {{HandleKind::move_view, 0, {}}, HandleForm::dot, {}, middle_radius * view.scale, false},
             {box.centre});
   shapes.insert(shapes.end(), faces.begin(), faces.end());
+  shapes = with_edges_and_corners(std::move(shapes), box, view);
+  // What lies on the far side may be resized by the scale tool; here it would only be in the way.
+  std::erase_if(shapes, [](const HandleShape& shape) {
+    return shape.faint && std::ranges::count(shape.handle.side, 0) < 2;
+  });
   return shapes;
 }
 

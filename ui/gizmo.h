@@ -9,10 +9,10 @@
 
 #include "core/geometry/box.h"
 #include "render/camera.h"
-#include "ui/ui_state.h"
 
 namespace archetype {
 
+enum class BoxTool { move, scale, rotate };
 enum class HandleKind { move_axis, move_plane, move_view, resize, rotate };
 
 struct Handle {
@@ -41,9 +41,9 @@ struct HandleShape {
   bool faint = false;  // on the far side of the box
 };
 
-// What the tool offers, in the order of drawing. Move: arrows, planes, the middle and the six faces; scale:
-// faces, edges and corners; rotate: a ring for each axis. What is seen too much from its end is left out, and
-// edges and corners that would lie over other dots.
+// What the tool offers, in the order of drawing. Move: arrows, planes, the middle, the six faces and the
+// edges and corners in front; scale: all faces, edges and corners; rotate: a ring for each axis. What is seen
+// too much from its end is left out, and edges and corners that would lie over other handles.
 std::vector<HandleShape> handle_shapes(const Box& box, BoxTool tool, const GizmoView& view);
 
 // The handle that is drawn under the cursor, with a few pixels to spare; of several the one drawn last.
@@ -67,5 +67,10 @@ struct DragModifiers {
 // arguments: the same place gives the same box, whatever way the cursor took.
 Box dragged_box(const BoxDrag& drag, const GizmoView& view, const glm::dvec2& cursor,
                 const DragModifiers& modifiers);
+
+// How far the cursor went along a line through a point, in units of `direction`, from one pixel to another; 0
+// where that cannot be told.
+double moved_along(const GizmoView& view, const Vec3& point, const Vec3& direction, const glm::dvec2& from,
+                   const glm::dvec2& to);
 
 }  // namespace archetype

@@ -181,4 +181,11 @@ Box dragged_box(const BoxDrag& drag, const GizmoView& view, const glm::dvec2& cu
   }
 }
 
+double moved_along(const GizmoView& view, const Vec3& point, const Vec3& direction, const glm::dvec2& from,
+                   const glm::dvec2& to) {
+  const auto before = place_on_line(point, direction, ray_at(view, from));
+  const auto now = place_on_line(point, direction, ray_at(view, to));
+  return before && now ? *now - *before : 0;
+}
+
 }  // namespace archetype

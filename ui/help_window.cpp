@@ -23,7 +23,15 @@ void draw_mouse(const Studio& studio) {
   row(studio, "Middle button, or Shift and drag", "pan");
   row(studio, "Wheel", "zoom to the cursor");
   row(studio, "Click a box", "select it; its handles move and resize it");
+  row(studio, "Ctrl or Shift and click", "take a box into the selection, or out");
+  row(studio, "Drag a dot, an arrow, a square",
+      "resize against the other side, move along an axis, in a plane");
+  row(studio, "Alt while resizing", "about the middle");
+  row(studio, "Ctrl while dragging",
+      "snap to the shape, other boxes, the symmetry plane, the ground, angles");
+  row(studio, "Shift while dragging", "by steps of 0.05 or 15 degrees");
   row(studio, "X, Y, Z while dragging", "keep to that axis");
+  row(studio, "G, S, R, then X, Y, Z, then a number", "move, scale, rotate by it; Enter keeps it");
   row(studio, "Esc while dragging", "put it back");
   ImGui::EndTable();
 }
@@ -56,7 +64,7 @@ void draw_help_window(Studio& studio) {
     muted_paragraph(studio,
                     "The third column is the name for scripts. Ctrl+P finds a command by any of its words.");
     draw_mouse(studio);
-    for (const char* menu : {"File", "Edit", "Template", "Part", "Shape", "View", "Window", "Help"})
+    for (const char* menu : {"File", "Edit", "Template", "Part", "Points", "Shape", "View", "Window", "Help"})
       draw_menu(studio, menu, menu);
     draw_menu(studio, "", "Only in scripts and the palette");
   }

@@ -4,6 +4,26 @@
 #include <cmath>
 
 namespace archetype {
+namespace {
+
+constexpr std::size_t kept = 1000;
+
+}  // namespace
+
+std::optional<double> percentile(const std::deque<double>& values, double share) {
+  if (values.empty()) return std::nullopt;
+  std::vector<double> sorted(values.begin(), values.end());
+  const double rank = std::ceil(share * static_cast<double>(sorted.size())) - 1;
+  const auto index =
+      static_cast<std::ptrdiff_t>(std::clamp(rank, 0.0, static_cast<double>(sorted.size() - 1)));
+  std::nth_element(sorted.begin(), sorted.begin() + index, sorted.end());
+  return sorted[static_cast<std::size_t>(index)];
+}
+
+void FrameMeter::shown(double milliseconds) {
+  milliseconds_.push_back(milliseconds);
+  if (milliseconds_.size() > kept) milliseconds_.pop_front();
+}
 
 void LatencyMeter::edited(std::uint64_t revision, Clock::time_point at) {
   constexpr std::size_t most_open = 10'000;  // nothing answers them: no shape is in view
@@ -12,7 +32,6 @@ void LatencyMeter::edited(std::uint64_t revision, Clock::time_point at) {
 }
 
 void LatencyMeter::displayed(std::uint64_t revision, Clock::time_point at) {
-  constexpr std::size_t kept = 1000;
   while (!open_.empty() && open_.front().revision <= revision) {
     answered_.push_back(std::chrono::duration<double, std::milli>(at - open_.front().at).count());
     open_.pop_front();
@@ -27,16 +46,6 @@ void LatencyMeter::forget_open() {
 void LatencyMeter::clear() {
   open_.clear();
   answered_.clear();
-}
-
-std::optional<double> LatencyMeter::percentile(double share) const {
-  if (answered_.empty()) return std::nullopt;
-  std::vector<double> sorted(answered_.begin(), answered_.end());
-  const double rank = std::ceil(share * static_cast<double>(sorted.size())) - 1;
-  const auto index =
-      static_cast<std::ptrdiff_t>(std::clamp(rank, 0.0, static_cast<double>(sorted.size() - 1)));
-  std::nth_element(sorted.begin(), sorted.begin() + index, sorted.end());
-  return sorted[static_cast<std::size_t>(index)];
 }
 
 }  // namespace archetype

@@ -9,6 +9,20 @@
 
 namespace archetype {
 
+// The value that `share` (0 to 1) of the values do not exceed; nothing while there is none.
+std::optional<double> percentile(const std::deque<double>& values, double share);
+
+// Milliseconds that frames took, from their beginning until they were on the screen: the last 1,000.
+class FrameMeter {
+ public:
+  void shown(double milliseconds);
+  void clear() { milliseconds_.clear(); }
+  const std::deque<double>& milliseconds() const { return milliseconds_; }
+
+ private:
+  std::deque<double> milliseconds_;
+};
+
 // Every edit counts, also those that were never computed because a newer one came first: an edit is answered
 // by the first displayed fit that is as new as it or newer.
 class LatencyMeter {
@@ -22,8 +36,7 @@ class LatencyMeter {
   void clear();
 
   const std::deque<double>& milliseconds() const { return answered_; }  // the last 1,000, oldest first
-  // The value that `share` (0 to 1) of them do not exceed; nothing while there is none.
-  std::optional<double> percentile(double share) const;
+  std::optional<double> percentile(double share) const { return archetype::percentile(answered_, share); }
 
  private:
   struct Open {

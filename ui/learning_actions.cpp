@@ -11,6 +11,7 @@
 #include "core/session/suggest_templates.h"
 #include "ui/learning_flow.h"
 #include "ui/project_actions.h"
+#include "ui/selection.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
@@ -97,7 +98,7 @@ void learn_from(Studio& studio, Start from) {
           } else {
             for (const PartTemplate& each : learned) add_template(studio.history, each, "Learn " + each.name);
           }
-          studio.ui.part.reset();
+          select_only(studio.ui, std::nullopt);
           say(studio, Severity::note, summary(report, learned.size()));
         };
       });
@@ -134,7 +135,7 @@ void suggest_templates(Studio& studio) {
 void take_suggestion(Studio& studio, std::size_t rank) {
   const PartTemplate& chosen = studio.ui.suggestions.at(rank).found.part_template;
   add_template(studio.history, chosen, "Take the suggested template " + chosen.name);
-  studio.ui.part.reset();
+  select_only(studio.ui, std::nullopt);
 }
 
 std::optional<JobView> learning_job(const Studio& studio) {

@@ -5,6 +5,9 @@
 #include <limits>
 
 #include "core/fitting/fit_template.h"
+#include "core/fitting/point_graph.h"
+#include "core/fitting/sample_costs.h"
+#include "core/fitting/template_surface.h"
 
 namespace archetype {
 namespace {
@@ -25,22 +28,36 @@ bool can_go_on(const LiveFitRequest& request) {
 // the shape would turn in the view each time. Another yaw than the one shown has to be better by this share.
 constexpr double yaw_margin = 0.01;
 
-std::optional<ShapeFit> fit_at_any_yaw(const LiveFitRequest& request, const JobControl& control) {
-  std::optional<ShapeFit> fit =
-      fit_template(*request.part_template, *request.samples, request.options, control);
+std::optional<ShapeFit> fit_at_shown_yaw(const PartTemplate& part_template, const LiveFitRequest& request,
+                                         const JobControl& control) {
+  const int shown = request.start ? request.start->fit.yaw_quarters : 0;
+  FitOptions options = request.options;
+  options.yaw_costs.fill(std::numeric_limits<double>::infinity());
+  options.yaw_costs[static_cast<std::size_t>(shown)] = 0;
+  return fit_template(part_template, *request.samples, options, control);
+}
+
+std::optional<ShapeFit> fit_at_any_yaw(const PartTemplate& part_template, const LiveFitRequest& request,
+                                       const JobControl& control) {
+  std::optional<ShapeFit> fit = fit_template(part_template, *request.samples, request.options, control);
   const int shown = request.start ? request.start->fit.yaw_quarters : 0;
   if (!fit || fit->yaw_quarters == shown) return fit;
   const auto energy_at = [&](int yaw) { return fit->yaw_energies[static_cast<std::size_t>(yaw)]; };
   if (energy_at(shown) * (1 - yaw_margin) > energy_at(fit->yaw_quarters)) return fit;
-  FitOptions options = request.options;
-  options.yaw_costs.fill(std::numeric_limits<double>::infinity());
-  options.yaw_costs[static_cast<std::size_t>(shown)] = 0;
-  std::optional<ShapeFit> same = fit_template(*request.part_template, *request.samples, options, control);
+  std::optional<ShapeFit> same = fit_at_shown_yaw(part_template, request, control);
   if (same) same->yaw_energies = fit->yaw_energies;
   return same;
 }
 
 }  // namespace
+
+const LabellingGraph& LiveFitter::graph(const LiveFitRequest& request) {
+  if (graph_samples_ != request.samples) {
+    graph_ = make_point_graph(*request.samples, request.options);
+    graph_samples_ = request.samples;
+  }
+  return graph_;
+}
 
 std::vector<std::int16_t> LiveFitter::label(const LiveFitRequest& request, const ShapeFit& fit,
                                             const JobControl& control) {
@@ -62,17 +79,21 @@ std::optional<LiveFitResult> LiveFitter::run(const LiveFitRequest& request, cons
   result.shape_revision = request.shape_revision;
   try {
     const Clock::time_point start = Clock::now();
-    const PartTemplate& part_template = *request.part_template;
-    std::optional<ShapeFit> fit =
-        can_go_on(request)
-            ? refit_template(part_template, *request.samples, request.start->fit, request.options, control)
-            : fit_at_any_yaw(request, control);
+    // A third of what following a fit takes: once for all that asks for it.
+    const PartTemplate part_template = with_expected_features(*request.part_template);
+    std::optional<ShapeFit> fit = can_go_on(request)
+                                      ? follow_template(part_template, *request.samples, graph(request),
+                                                        request.start->fit, request.options, control)
+                                  : request.keep_yaw ? fit_at_shown_yaw(part_template, request, control)
+                                                     : fit_at_any_yaw(part_template, request, control);
     if (!fit) return std::nullopt;
     result.fit_milliseconds = milliseconds_since(start);
 
     const Clock::time_point labelling = Clock::now();
-    ViewFit view{request.part_template, std::move(*fit), {}};
+    ViewFit view{request.part_template, std::move(*fit), {}, {}, {}};
+    view.sample_costs = sample_costs(part_template, *request.samples, view.fit, request.options);
     if (request.mesh) view.element_labels = label(request, view.fit, control);
+    if (labeller_ && request.mesh) view.element_costs = labeller_->interpolate(view.sample_costs);
     result.label_milliseconds = milliseconds_since(labelling);
     result.fit = std::make_shared<const ViewFit>(std::move(view));
   } catch (const std::exception& error) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/evaluation/label_elements.h"
+#include "core/fitting/alpha_expansion.h"
 #include "core/fitting/fit_options.h"
 #include "core/geometry/polygon_mesh.h"
 #include "core/session/latest_worker.h"
@@ -19,6 +20,7 @@ struct LiveFitRequest {
   std::shared_ptr<const ShapeSamples> samples;
   std::shared_ptr<const PolygonMesh> mesh;  // null: the elements are not labelled
   std::shared_ptr<const ViewFit> start;     // of the same shape: fitted on from there while a drag goes on
+  bool keep_yaw = false;                    // boxes were made on the shape as it is shown: it stands right
   bool dragging = false;                    // false: all yaws are tried anew
   FitOptions options;
   std::uint64_t document_revision = 0;  // history.revision() of the template
@@ -34,7 +36,7 @@ struct LiveFitResult {
   double label_milliseconds = 0;
 };
 
-// What the worker runs. Keeps what labelling the faces of the shape needs from one fit to the next.
+// What the worker runs. Keeps what does not change from one fit of the shape to the next.
 class LiveFitter {
  public:
   // Nothing when cancelled.
@@ -44,6 +46,10 @@ class LiveFitter {
   std::vector<std::int16_t> label(const LiveFitRequest& request, const ShapeFit& fit,
                                   const JobControl& control);
 
+  const LabellingGraph& graph(const LiveFitRequest& request);
+
+  std::shared_ptr<const ShapeSamples> graph_samples_;  // of the graph
+  LabellingGraph graph_;
   std::shared_ptr<const PolygonMesh> mesh_;  // of the labeller, as are the samples
   std::shared_ptr<const ShapeSamples> samples_;
   std::optional<ElementLabeller> labeller_;

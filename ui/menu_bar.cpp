@@ -32,7 +32,7 @@ void draw_starting_templates(Studio& studio) {
 
 void draw_menu_bar(Studio& studio) {
   if (!ImGui::BeginMainMenuBar()) return;
-  for (const char* menu : {"File", "Edit", "Template", "Part", "Shape", "View", "Window", "Help"}) {
+  for (const char* menu : {"File", "Edit", "Template", "Part", "Points", "Shape", "View", "Window", "Help"}) {
     const bool open = ImGui::BeginMenu(menu);
     mark_target(studio, std::string("menu:") + menu);
     if (!open) continue;

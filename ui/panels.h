@@ -10,8 +10,10 @@ struct Studio;
 // Their content; frame.cpp makes the windows around them.
 void draw_collection_panel(Studio& studio);
 void draw_template_panel(Studio& studio);  // the templates and the list of parts
+void draw_compare_panel(Studio& studio);   // how another template differs
 void draw_part_panel(Studio& studio);      // the numbers of the selected part
 void draw_fit_panel(Studio& studio);       // the energy of the shape in view
+void draw_strip_panel(Studio& studio);     // other shapes, fitted while a box is dragged
 void draw_jobs_panel(Studio& studio);
 void draw_learning_panel(Studio& studio);  // how templates are learned, round by round
 void draw_messages_panel(Studio& studio);

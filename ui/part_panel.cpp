@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/model/part_colours.h"
 #include "core/session/actions.h"
+#include "core/session/mirror_pairs.h"
 #include "ui/box_angles.h"
 #include "ui/panels.h"
+#include "ui/selection.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
@@ -61,7 +64,7 @@ void name_row(Studio& studio, std::size_t part, const TemplatePart& shown) {
   if (renamed) rename_part(studio.history, part, name);
 }
 
-void label_row(Studio& studio, std::size_t part, const TemplatePart& shown) {
+void label_row(Studio& studio, const TemplatePart& shown) {
   row_label(studio, "Label", "The number written to label files. Parts may share one: four legs, one label.");
   int label = shown.label;
   ImGui::SetNextItemWidth(86 * studio.fonts.scale);
@@ -69,17 +72,18 @@ void label_row(Studio& studio, std::size_t part, const TemplatePart& shown) {
   mark_target(studio, "field:Label");
   label = std::max(label, 0);
   if (ImGui::IsItemDeactivatedAfterEdit())
-    set_part_label(studio.history, part, label, Stage::done);
+    set_part_label(studio.history, selected_parts(studio.ui), label, Stage::done);
   else if (changed)
-    set_part_label(studio.history, part, label, Stage::live);
+    set_part_label(studio.history, selected_parts(studio.ui), label, Stage::live);
   ImGui::SameLine(0, 14 * studio.fonts.scale);
   bool must_exist = shown.must_exist;
-  if (ImGui::Checkbox("Must exist", &must_exist)) set_must_exist(studio.history, part, must_exist);
+  if (ImGui::Checkbox("Must exist", &must_exist))
+    set_must_exist(studio.history, selected_parts(studio.ui), must_exist);
   mark_target(studio, "field:Must exist");
   tooltip("A fit without this part is no fit.");
 }
 
-void existence_row(Studio& studio, std::size_t part, const TemplatePart& shown) {
+void existence_row(Studio& studio, const TemplatePart& shown) {
   row_label(studio, "Existence", "The share of the shapes that have this part.");
   double percent = 100 * shown.existence;
   ImGui::SetNextItemWidth(-1);
@@ -89,9 +93,49 @@ void existence_row(Studio& studio, std::size_t part, const TemplatePart& shown) 
                                            "%.0f %%", ImGuiSliderFlags_AlwaysClamp);
   mark_target(studio, "field:Existence");
   if (ImGui::IsItemDeactivatedAfterEdit())
-    set_existence(studio.history, part, percent / 100, Stage::done);
+    set_existence(studio.history, selected_parts(studio.ui), percent / 100, Stage::done);
   else if (changed)
-    set_existence(studio.history, part, percent / 100, Stage::live);
+    set_existence(studio.history, selected_parts(studio.ui), percent / 100, Stage::live);
+}
+
+// A swatch that opens the colours to choose from.
+void colour_row(Studio& studio, const PartTemplate& part_template, std::size_t part) {
+  row_label(studio, "Colour", "One of those that can be told apart without seeing red and green.");
+  const float side = ImGui::GetFrameHeight();
+  const auto swatch = [&](const std::string& name, const Rgb& rgb, ImVec2 size) {
+    const ImVec4 colour(rgb[0] / 255.F, rgb[1] / 255.F, rgb[2] / 255.F, 1);
+    const bool clicked = ImGui::ColorButton(name.c_str(), colour, ImGuiColorEditFlags_NoTooltip, size);
+    mark_target(studio, "colour:" + name);
+    return clicked;
+  };
+  if (swatch("choose", part_colour(part_template, static_cast<int>(part)), {2.2F * side, side}))
+    ImGui::OpenPopup("colours");
+  if (!ImGui::BeginPopup("colours")) return;
+  std::optional<int> chosen;
+  for (int i = 0; i < part_colour_count; ++i) {
+    if (i % 7 != 0) ImGui::SameLine();
+    if (swatch(std::to_string(i), part_colour(i), {side, side})) chosen = i;
+  }
+  if (ImGui::Selectable("By its place in the list")) chosen = -1;
+  mark_target(studio, "colour:auto");
+  if (chosen) {
+    set_part_colour(studio.history, selected_parts(studio.ui), *chosen);
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+// What follows its edits, and how to end that.
+void mirror_row(Studio& studio, const PartTemplate& part_template, std::size_t part) {
+  const std::optional<std::size_t> partner = mirror_partner(part_template, part);
+  if (!partner) return;
+  row_label(studio, "Mirror",
+            "Both are kept each other's mirror image: an edit of one is made to the other too.");
+  const float button = 70 * studio.fonts.scale;
+  const float room = ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x;
+  ImGui::TextUnformatted(fitted(part_template.parts[*partner].name, room).c_str());
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
+  command_button(studio, "unlink-parts", "Unlink", {button, 0});
 }
 
 void box_rows(Studio& studio, std::size_t part, const Box& box) {
@@ -133,19 +177,28 @@ void draw_part_panel(Studio& studio) {
   }
   const std::size_t part = *studio.ui.part;
   const TemplatePart& shown = active->parts[part];
-  section_title(studio, "Part");
+  const std::size_t count = selected_parts(studio.ui).size();
+  section_title(studio, count > 1 ? (std::to_string(count) + " parts").c_str() : "Part");
+  if (count > 1)
+    muted_paragraph(studio, ("Label, existence and spreads are set for all of them; the box is that of " +
+                             shown.name + ".")
+                                .c_str());
   ImGui::PushID(static_cast<int>(part));  // every field starts anew with each part
   name_row(studio, part, shown);
-  label_row(studio, part, shown);
-  existence_row(studio, part, shown);
+  label_row(studio, shown);
+  existence_row(studio, shown);
+  colour_row(studio, *active, part);
+  mirror_row(studio, *active, part);
   box_rows(studio, part, shown.mean_box());
   const float speed = 0.002f;
   vector_row(studio, "± centre", "Standard deviation of the centre: how far it may lie elsewhere.",
              shown.position.stddev, speed, "%.3f", [&](const Vec3& stddev, Stage stage) {
-               set_position_stddev(studio.history, part, stddev, stage);
+               set_position_stddev(studio.history, selected_parts(studio.ui), stddev, stage);
              });
   vector_row(studio, "± size", "Standard deviation of the half extents.", shown.scale.stddev, speed, "%.3f",
-             [&](const Vec3& stddev, Stage stage) { set_scale_stddev(studio.history, part, stddev, stage); });
+             [&](const Vec3& stddev, Stage stage) {
+               set_scale_stddev(studio.history, selected_parts(studio.ui), stddev, stage);
+             });
   ImGui::PopID();
 }
 

@@ -10,6 +10,7 @@
 #include "core/io/template_file.h"
 #include "core/session/actions.h"
 #include "core/session/fit_collection.h"
+#include "ui/selection.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
@@ -62,7 +63,7 @@ void put_into_view(Studio& studio, OpenedProject opened) {
   studio.autosave.edited_revision = studio.history.revision();
   studio.autosave.saved_revision.reset();
   if (opened.document_is_stored) studio.autosave.saved_revision = studio.history.revision();
-  studio.ui.part.reset();
+  select_only(studio.ui, std::nullopt);
   studio.ui.grid = {};
   show_shape(studio, std::nullopt);
   if (!studio.collection.rows().empty()) show_shape(studio, studio.collection.rows()[0].id);
@@ -278,7 +279,7 @@ fs::path starting_template_path(const Studio& studio, const std::string& name) {
 void load_template(Studio& studio, const fs::path& path) {
   PartTemplate part_template = read_template(path);
   add_template(studio.history, std::move(part_template), "Load template " + path.filename().string());
-  studio.ui.part.reset();
+  select_only(studio.ui, std::nullopt);
 }
 
 void save_template(Studio& studio, const fs::path& wanted) {

@@ -20,7 +20,15 @@ struct ViewFit {
   std::shared_ptr<const PartTemplate> part_template;  // the one that was fitted
   ShapeFit fit;
   std::vector<std::int16_t> element_labels;  // a part index per face of the file, or null_label
+  std::vector<double> sample_costs;          // see core/fitting/sample_costs.h
+  std::vector<float> element_costs;          // the same for every face
 };
+
+// The names of the parts that must exist and were not found.
+std::vector<std::string> missing_parts(const ViewFit& view);
+// What the energy would be if no part had to exist: 1000 more a part says nothing to a person, and its bar
+// would hide the others.
+FitEnergy energy_without_missing(const ViewFit& view);
 
 struct ShapeInView {
   std::optional<ShapeRecord> record;        // nothing: no shape is in view

@@ -27,6 +27,7 @@ bool is_for_suggestions(const Studio& studio, const KeyChord& chord) {
 void run_shortcuts(Studio& studio) {
   for (const KeyChord& chord : std::exchange(studio.pressed_keys, {})) {
     if (is_for_text_field(studio, chord) || is_for_suggestions(studio, chord)) continue;
+    if (take_transform_key(studio, chord)) continue;
     const std::string text = to_string(chord);
     const auto command = std::find_if(studio.commands.begin(), studio.commands.end(),
                                       [&](const Command& each) { return key_of(studio, each) == text; });

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ui/learning_actions.h"
+#include "ui/selection.h"
 
 namespace archetype {
 namespace {
@@ -72,6 +73,7 @@ void ask_for_fit(Studio& studio) {
   request.samples = studio.shape.samples;
   request.mesh = studio.shape.mesh;
   request.start = studio.shape.fit;
+  request.keep_yaw = !look && stands_as_shown(studio);
   request.dragging = studio.history.has_preview();
   request.document_revision = revision;
   request.shape_revision = studio.shape.shape_revision;
@@ -93,7 +95,7 @@ void note_edit(Studio& studio) {
 
 void keep_selection_valid(Studio& studio) {
   const PartTemplate* active = studio.history.current().active_template();
-  if (studio.ui.part && (!active || *studio.ui.part >= active->parts.size())) studio.ui.part.reset();
+  keep_selection_within(studio.ui, active ? active->parts.size() : 0);
 }
 
 Navigation parse_navigation(const std::string& name) {
@@ -113,7 +115,8 @@ void follow_changed_file(Studio& studio) {
 void tell_problems(Studio& studio) {
   for (const std::string& problem :
        {studio.shape_loader.take_problem(), studio.live_fit.worker.take_problem(),
-        studio.directory_reader.take_problem(), studio.viewport.coarse_worker.take_problem(),
+        studio.region_worker.take_problem(), studio.directory_reader.take_problem(),
+        studio.viewport.coarse_worker.take_problem(), studio.viewport.average_worker.take_problem(),
         studio.thumbnails.take_problem()})
     if (!problem.empty()) say(studio, Severity::error, problem);
 }
@@ -156,6 +159,8 @@ Studio::Studio(StudioOptions given)
       autosave(options.wake),
       directory_reader(list_directory, options.wake),
       live_fit(options.wake),
+      strip(options.wake),
+      region_worker(find_surface_regions, options.wake),
       thumbnails(options.shaders, options.wake),
       jobs(options.wake) {}
 
@@ -172,6 +177,7 @@ void begin_frame(Studio& studio) {
   follow_rows(studio);
   take_over_shape(studio);
   take_over_fit(studio);
+  begin_strip(studio);
   tell_problems(studio);
   keep_selection_valid(studio);
   if (studio.drag && !advance(*studio.drag, studio.history)) studio.drag.reset();
@@ -181,23 +187,25 @@ void end_frame(Studio& studio) {
   note_edit(studio);
   keep_selection_valid(studio);
   ask_for_fit(studio);
+  end_strip(studio);
   studio.thumbnails.end_frame();
   autosave(studio);
 }
 
 void frame_shown(Studio& studio) {
   const Clock::time_point now = Clock::now();
-  studio.frame_milliseconds = std::chrono::duration<double, std::milli>(now - studio.frame_start).count();
+  studio.frames.shown(std::chrono::duration<double, std::milli>(now - studio.frame_start).count());
+  strip_shown(studio, now);
   if (!std::exchange(studio.live_fit.newly_shown, false)) return;
   studio.latency.displayed(studio.live_fit.shown_document, now);
 }
 
 bool settled(const Studio& studio) {
   return !studio.drag && !studio.wanted_picture && studio.jobs.resting() && studio.shape_loader.idle() &&
-         studio.live_fit.worker.idle() && studio.rows_reader.idle() && studio.directory_reader.idle() &&
-         studio.autosave.saver.idle() && studio.thumbnails.idle() && !studio.live_fit.newly_shown &&
-         studio.live_fit.asked_shape == studio.shape.shape_revision &&
-         !viewport_busy(studio.viewport, studio.shape.shape_revision);
+         studio.live_fit.worker.idle() && studio.region_worker.idle() && studio.rows_reader.idle() &&
+         studio.directory_reader.idle() && studio.autosave.saver.idle() && studio.thumbnails.idle() &&
+         !studio.live_fit.newly_shown && studio.live_fit.asked_shape == studio.shape.shape_revision &&
+         strip_settled(studio) && !viewport_busy(studio.viewport, studio.shape.shape_revision);
 }
 
 bool wants_frames(const Studio& studio) {

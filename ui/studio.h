@@ -25,6 +25,8 @@
 #include "ui/scripted_drag.h"
 #include "ui/shape_in_view.h"
 #include "ui/shape_loader.h"
+#include "ui/shape_strip.h"
+#include "ui/surface_regions.h"
 #include "ui/theme.h"
 #include "ui/thumbnail_store.h"
 #include "ui/ui_state.h"
@@ -73,6 +75,7 @@ struct Studio {
   Messages messages;
   ViewportState viewport;
   LatencyMeter latency;
+  FrameMeter frames;
   std::vector<Target> targets;         // of the frame drawn last
   std::vector<KeyChord> pressed_keys;  // since the last frame, in order
   std::vector<std::string>
@@ -88,15 +91,17 @@ struct Studio {
   Autosave autosave;
   DirectoryReader directory_reader;
   LiveFit live_fit;
+  ShapeStrip strip;
+  RegionWorker region_worker;
   ThumbnailStore thumbnails;
   Jobs jobs;
   std::vector<ProjectWriter> writers;  // those of the jobs that write to a project, until they have ended
 
-  std::optional<DirectoryListing> directory;  // of the file browser
+  std::optional<std::pair<RegionKind, std::uint64_t>> asked_regions;  // and the shape revision they are of
+  std::optional<DirectoryListing> directory;                          // of the file browser
   std::chrono::steady_clock::time_point rows_asked_at{};
   bool rows_are_of_pause = false;  // asked for while all jobs were paused
   std::chrono::steady_clock::time_point frame_start{};
-  double frame_milliseconds = 0;  // from its start until the newest frame was shown
 };
 
 // Before the panels of a frame: takes over what jobs and workers have ready.

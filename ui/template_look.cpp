@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/session/actions.h"
 #include "ui/icons.h"
+#include "ui/selection.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
@@ -15,7 +16,7 @@ std::shared_ptr<const PartTemplate> shown_template(const Studio& studio) {
 }
 
 void look_at(Studio& studio, const PartTemplate& part_template, std::string origin) {
-  studio.ui.part.reset();  // what is selected is of the document
+  select_only(studio.ui, std::nullopt);  // what is selected is of the document
   studio.ui.look = {std::make_shared<const PartTemplate>(part_template), std::move(origin)};
 }
 
@@ -28,7 +29,7 @@ void take_look(Studio& studio) {
   const TemplateLook look = *std::exchange(studio.ui.look, std::nullopt);
   add_template(studio.history, *look.part_template,
                "Take " + look.part_template->name + " of " + look.origin);
-  studio.ui.part.reset();
+  select_only(studio.ui, std::nullopt);
 }
 
 void draw_look_strip(Studio& studio) {

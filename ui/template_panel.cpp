@@ -1,11 +1,13 @@
 // The templates of the project and the parts of the active one.
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include "core/model/part_colours.h"
 #include "core/session/actions.h"
 #include "ui/icons.h"
 #include "ui/panels.h"
 #include "ui/project_actions.h"
+#include "ui/selection.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
@@ -31,15 +33,43 @@ void draw_empty(Studio& studio) {
   command_button(studio, "load-template", std::string(icon::folder_open) + "  Load…", {width, 0});
 }
 
+void draw_template_menu(Studio& studio, const Document& document) {
+  if (!ImGui::BeginPopup("template menu")) return;
+  muted_text(studio, "Name");
+  ImGui::SameLine();
+  std::string name = document.active_template()->name;
+  ImGui::SetNextItemWidth(180 * studio.fonts.scale);
+  ImGui::InputText("##name", &name, ImGuiInputTextFlags_AutoSelectAll);
+  mark_target(studio, "field:Template name");
+  if (ImGui::IsItemDeactivatedAfterEdit() && !name.empty()) rename_active_template(studio.history, name);
+  ImGui::Separator();
+  for (const char* command : {"duplicate-template", "template-up", "template-down"})
+    command_menu_item(studio, *find_command(studio, command));
+  if (ImGui::BeginMenu("Compare with", document.templates.size() > 1)) {
+    for (std::size_t i = 0; i < document.templates.size(); ++i) {
+      if (i == document.active) continue;
+      const std::string other[] = {document.templates[i]->name};
+      ImGui::PushID(static_cast<int>(i));
+      if (ImGui::MenuItem(other[0].c_str(), nullptr, other[0] == studio.ui.compared))
+        run_command(studio, "compare-template", other);
+      ImGui::PopID();
+      mark_target(studio, "compare:" + other[0]);
+    }
+    ImGui::EndMenu();
+  }
+  command_menu_item(studio, *find_command(studio, "stop-comparing"));
+  ImGui::EndPopup();
+}
+
 void draw_templates(Studio& studio, const Document& document) {
-  const float buttons = 4 * (ImGui::GetFrameHeight() * 1.15f + ImGui::GetStyle().ItemSpacing.x);
+  const float buttons = 5 * (ImGui::GetFrameHeight() * 1.15f + ImGui::GetStyle().ItemSpacing.x);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - buttons);
   if (ImGui::BeginCombo("##template", document.active_template()->name.c_str())) {
     for (std::size_t i = 0; i < document.templates.size(); ++i) {
       ImGui::PushID(static_cast<int>(i));
       if (ImGui::Selectable(document.templates[i]->name.c_str(), i == document.active)) {
         select_template(studio.history, i);
-        studio.ui.part.reset();
+        select_only(studio.ui, std::nullopt);
       }
       mark_target(studio, "template:" + std::to_string(i));
       ImGui::PopID();
@@ -56,13 +86,29 @@ void draw_templates(Studio& studio, const Document& document) {
   command_button(studio, "save-template", icon::save, size);
   ImGui::SameLine();
   command_button(studio, "delete-template", icon::trash, size);
+  ImGui::SameLine();
+  if (ImGui::Button(icon::more, size)) ImGui::OpenPopup("template menu");
+  mark_target(studio, "template:more");
+  tooltip("Rename, duplicate, reorder, compare");
+  draw_template_menu(studio, document);
 }
 
-void draw_part_row(Studio& studio, const TemplatePart& part, std::size_t index) {
-  const Rgb rgb = part_colour(static_cast<int>(index));
+void select_in_list(Studio& studio, std::size_t part) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.KeyShift)
+    select_up_to(studio.ui, part);
+  else if (io.KeyCtrl)
+    toggle_selected(studio.ui, part);
+  else
+    select_only(studio.ui, part);
+}
+
+void draw_part_row(Studio& studio, const PartTemplate& part_template, std::size_t index) {
+  const TemplatePart& part = part_template.parts[index];
+  const Rgb rgb = part_colour(part_template, static_cast<int>(index));
   ImGui::PushID(static_cast<int>(index));
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  if (ImGui::Selectable("##part", studio.ui.part == index)) studio.ui.part = index;
+  if (ImGui::Selectable("##part", is_selected(studio.ui, index))) select_in_list(studio, index);
   mark_target(studio, "part:" + part.name);
   const float line = ImGui::GetTextLineHeight();
   const float side = line * 0.72f;
@@ -72,8 +118,9 @@ void draw_part_row(Studio& studio, const TemplatePart& part, std::size_t index) 
                       3 * studio.fonts.scale);
   const float right = low.x + ImGui::GetContentRegionAvail().x;
   const float text_x = swatch.x + side + 8 * studio.fonts.scale;
-  const std::string facts =
-      (part.must_exist ? "must exist  ·  " : "") + std::string("label ") + std::to_string(part.label);
+  const std::string facts = (part.mirror.pair > 0 ? "mirrored  ·  " : "") +
+                            std::string(part.must_exist ? "must exist  ·  " : "") + "label " +
+                            std::to_string(part.label);
   ImGui::PushFont(studio.fonts.small);
   const float facts_width = ImGui::CalcTextSize(facts.c_str()).x;
   draw->AddText({right - facts_width - 4 * studio.fonts.scale, low.y + 1 * studio.fonts.scale},
@@ -97,13 +144,21 @@ void draw_template_panel(Studio& studio) {
   draw_templates(studio, document);
   if (active->parts.empty())
     muted_paragraph(studio, "No parts yet: add a box, then move and size it over the shape.");
-  for (std::size_t i = 0; i < active->parts.size(); ++i) draw_part_row(studio, active->parts[i], i);
-  const float width = share_of_width(4);
+  for (std::size_t i = 0; i < active->parts.size(); ++i) draw_part_row(studio, *active, i);
+  const float width = share_of_width(3);
   command_button(studio, "add-part", std::string(icon::plus) + " Add", {width, 0});
   ImGui::SameLine();
-  command_button(studio, "duplicate-part", std::string(icon::copy) + " Copy", {width, 0});
+  command_button(studio, "duplicate-part", "Duplicate", {width, 0});
   ImGui::SameLine();
   command_button(studio, "mirror-part", std::string(icon::mirror) + " Mirror", {width, 0});
+  command_button(studio, "draw-box", std::string(icon::draw) + " Draw", {width, 0});
+  ImGui::SameLine();
+  command_button(studio, "box-of-piece", std::string(icon::cube) + " Piece", {width, 0});
+  ImGui::SameLine();
+  command_button(studio, "box-of-segment", std::string(icon::cubes) + " Segment", {width, 0});
+  command_button(studio, "split-part", std::string(icon::split) + " Split", {width, 0});
+  ImGui::SameLine();
+  command_button(studio, "merge-parts", std::string(icon::merge) + " Merge", {width, 0});
   ImGui::SameLine();
   command_button(studio, "delete-part", std::string(icon::trash) + " Delete", {width, 0});
 }

@@ -87,7 +87,7 @@ void add_corners(Bounds& extent, const std::vector<Face>& faces) {
 void draw_template_picture(ImDrawList& draw, const PartTemplate& part_template, ImVec2 low, float side) {
   std::vector<ColouredBox> boxes;
   for (std::size_t k = 0; k < part_template.parts.size(); ++k)
-    boxes.push_back({part_template.parts[k].mean_box(), part_colour(static_cast<int>(k))});
+    boxes.push_back({part_template.parts[k].mean_box(), part_colour(part_template, static_cast<int>(k))});
   const std::vector<Face> faces = visible_faces(boxes);
   if (faces.empty()) return;
   Bounds extent;

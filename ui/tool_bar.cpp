@@ -31,11 +31,15 @@ void draw_tool_bar(Studio& studio) {
   command_toggle(studio, "tool-scale", std::string(icon::scale) + " Scale");
   ImGui::SameLine();
   command_toggle(studio, "tool-rotate", std::string(icon::rotate) + " Rotate");
+  ImGui::SameLine();
+  command_toggle(studio, "snapping", std::string(icon::snap) + " Snap");
   gap(studio);
   const std::pair<const char*, const char*> toggles[] = {
       {"surface", "Surface"}, {"wireframe", "Wires"},     {"points", "Points"},   {"part-colours", "Colours"},
       {"boxes", "Boxes"},     {"fitted-boxes", "Fitted"}, {"part-names", "Names"}};
   for (const auto& [command, label] : toggles) {
+    const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+    if (ImGui::GetContentRegionAvail().x < width) break;  // rather than cut off
     command_toggle(studio, command, label);
     ImGui::SameLine();
   }

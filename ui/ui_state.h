@@ -11,11 +11,14 @@
 #include "core/io/project.h"
 #include "core/learning/initial_templates.h"
 #include "ui/collection.h"
+#include "ui/point_tools.h"
 #include "ui/template_look.h"
+#include "ui/typed_transform.h"
 
 namespace archetype {
 
-enum class SurfaceColour { part, plain };
+// Cost: the samples, by how badly the template explains them.
+enum class SurfaceColour { part, plain, cost };
 
 // The switches of the View menu.
 struct ViewOptions {
@@ -26,13 +29,15 @@ struct ViewOptions {
   bool fitted_boxes = false;  // as deformed to the shape in view
   bool part_names = true;
   bool ground = true;
-  bool orthographic = false;
+  bool average = false;       // of the collection, as a ghost behind the shape
+  bool spread = false;        // of the parts: ellipsoids for their positions, dashed lines for their sizes
+  bool orthographic = false;  // of the view in perspective
+  bool four_views = false;    // perspective, top, front and right at once
   SurfaceColour colour = SurfaceColour::part;
   friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
 };
 
 enum class CameraView { front, back, left, right, top, bottom, home };
-enum class BoxTool { move, scale, rotate };
 enum class Navigation { archetype, blender, maya };  // which buttons orbit, pan and zoom
 
 struct GridState {
@@ -89,13 +94,26 @@ struct LearningChoice {
   std::optional<std::size_t> part_template;  // of that round
 };
 
-enum class BottomTab { jobs, learning, messages, history, diagnostics };
+// The shapes of the strip, in its order.
+struct StripChoice {
+  std::vector<ShapeId> shapes;
+  std::uint64_t draws = 0;  // so many were drawn at random: the seed of the newest
+  bool emptied = false;     // by hand: it is not filled by itself again
+};
+
+enum class BottomTab { jobs, strip, learning, messages, history, diagnostics };
 
 struct UiState {
-  std::optional<ShapeId> shape;     // the shape in view
-  std::optional<std::size_t> part;  // the selected part of the active template
+  std::optional<ShapeId> shape;            // the shape in view
+  std::optional<std::size_t> part;         // the selected part of the active template; see ui/selection.h
+  std::vector<std::size_t> also_selected;  // parts that are edited with it; empty without it
+  std::vector<TemplatePart> copied_parts;  // to be pasted, into this template or another
+  std::string compared;                    // the name of a template to compare with; "": none
   ViewOptions view;
   BoxTool tool = BoxTool::move;
+  bool snapping = false;                    // dragged boxes snap; Ctrl held turns it round
+  std::optional<TypedTransform> transform;  // G, S or R was pressed
+  PointToolState points;
   std::optional<int> drag_axis;  // of the box, 0 to 2: the drag under way keeps to it (X, Y, Z)
   Navigation navigation = Navigation::archetype;  // that of the settings
   // Wishes of commands to the viewport, which clears them once it has followed.
@@ -112,6 +130,7 @@ struct UiState {
   std::size_t chosen_suggestion = 0;
   bool show_suggestions = false;
   LearningChoice learning;
+  StripChoice strip;
   std::optional<TemplateLook> look;  // nothing: the active template of the document is shown
   bool help = false;                 // the list of keys
   bool about = false;                // with the credits

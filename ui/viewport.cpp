@@ -6,7 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/edit_overlay.h"
+#include "ui/heat_map.h"
+#include "ui/selection.h"
+#include "ui/spread_mouse.h"
 #include "ui/studio.h"
+#include "ui/template_compare.h"
 #include "ui/viewport_mouse.h"
 #include "ui/viewport_overlay.h"
 #include "ui/widgets.h"
@@ -16,7 +21,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds flight_time{220};
 constexpr std::chrono::milliseconds rest_before_fine_picture{180};
 constexpr int fine = 2;  // supersampling of a picture that stands still
 
@@ -43,95 +47,68 @@ void take_over_shape(Studio& studio) {
   }
   if (auto made = state.coarse_worker.poll(); made && made->shape_revision == state.display.shape_revision)
     state.display.coarse = std::move(made->mesh);
-  if (state.coloured_fit == shape.fit_revision && state.coloured_display == state.display.shape_revision)
+  if (state.coloured_fit == shape.fit_revision && state.coloured_display == state.display.shape_revision &&
+      state.coloured_by == studio.ui.view.colour)
     return;
+  state.coloured_by = studio.ui.view.colour;
   state.coloured_fit = shape.fit_revision;
   state.coloured_display = state.display.shape_revision;
-  state.colours = shape.fit ? colours_of_fit(*shape.fit, state.display) : ShapeColours{};
+  state.colours = shape.fit ? colours_of_fit(*shape.fit, state.display, state.coloured_by) : ShapeColours{};
+}
+
+// Anew when the collection has changed and nothing writes to it any more.
+void take_over_average(Studio& studio) {
+  ViewportState& state = studio.viewport;
+  if (!studio.ui.view.average) {
+    if (std::exchange(state.asked_average, std::nullopt)) state.average_worker.cancel();
+    return;
+  }
+  if (!studio.collection.open()) state.average.reset();
+  if (auto made = state.average_worker.poll()) state.average = std::move(made);
+  const std::uint64_t revision = studio.collection.revision;
+  if (!studio.collection.open() || state.asked_average == revision || !studio.jobs.resting()) return;
+  state.asked_average = revision;
+  state.average_worker.request({studio.collection.path, revision}, true);
 }
 
 bool moving(const ViewportState& state) {
-  return state.flight || (state.action != MouseAction::none && state.action != MouseAction::click);
+  return state.flying() || (state.action != MouseAction::none && state.action != MouseAction::click);
 }
 
 ViewportContent content_of(const Studio& studio) {
   const ViewportState& state = studio.viewport;
   ViewportContent content;
   content.part_template = shown_template(studio).get();
+  if (!studio.ui.look) content.compared = compared_template(studio).get();
   content.fit = studio.shape.fit.get();
   content.display = state.display;
   content.colours = state.colours;
+  content.average = state.average ? &*state.average : nullptr;
   content.view = studio.ui.view;
-  if (!studio.ui.look) content.selected = studio.ui.part;
+  if (!studio.ui.look) {
+    content.selected = studio.ui.part;
+    content.also_selected = studio.ui.also_selected;
+  }
   content.hovered = state.hovered;
   content.moving = moving(state);
   content.backdrop = studio.theme == Theme::light ? Backdrop::light : Backdrop::dark;
   return content;
 }
 
-void fly(ViewportState& state, const Camera& to) {
-  state.flight = CameraFlight{state.camera, to, Clock::now()};
-}
-
-ViewPreset preset_of(CameraView view) {
-  switch (view) {
-    case CameraView::front:
-      return ViewPreset::front;
-    case CameraView::back:
-      return ViewPreset::back;
-    case CameraView::left:
-      return ViewPreset::left;
-    case CameraView::right:
-      return ViewPreset::right;
-    case CameraView::top:
-      return ViewPreset::top;
-    case CameraView::bottom:
-      return ViewPreset::bottom;
-    case CameraView::home:
-      return ViewPreset::three_quarter;
-  }
-  return ViewPreset::three_quarter;
-}
-
-void follow_wishes(Studio& studio, const ViewportContent& content, const Viewport& viewport) {
-  ViewportState& state = studio.viewport;
-  state.camera.orthographic = studio.ui.view.orthographic;
-  const auto extent = extent_to_frame(content);
-  if (!state.framed && extent && state.display.shape_revision != 0) {
-    frame(state.camera, viewport, extent->first, extent->second);
-    state.framed = true;
-  }
-  const auto wanted = std::exchange(studio.ui.wanted_view, std::nullopt);
-  const bool frames = std::exchange(studio.ui.wanted_frame, false) || wanted == CameraView::home;
-  if (wanted || frames) {
-    Camera to = state.flight ? state.flight->to : state.camera;
-    to.orthographic = state.camera.orthographic;
-    if (wanted) look_from(to, preset_of(*wanted));
-    ViewportContent all = content;
-    if (wanted == CameraView::home) all.selected.reset();
-    if (const auto room = extent_to_frame(all); frames && room)
-      frame(to, viewport, room->first, room->second);
-    fly(state, to);
-  }
-  if (!state.flight) return;
-  const double t = std::chrono::duration<double>(Clock::now() - state.flight->start) / flight_time;
-  const double eased = t >= 1 ? 1 : t * t * (3 - 2 * t);
-  state.flight->to.orthographic = state.camera.orthographic;
-  state.camera = blend(state.flight->from, state.flight->to, eased);
-  state.camera.orthographic = studio.ui.view.orthographic;
-  if (t >= 1) state.flight.reset();
-}
-
-// An invisible button over the whole view: Dear ImGui decides who has the mouse.
-MouseInput read_mouse(Studio& studio, ImVec2 origin, ImVec2 size) {
+// An invisible button over the whole pane: Dear ImGui decides who has the mouse. The title lies over it.
+MouseInput read_mouse(Studio& studio, const PlacedPane& placed) {
   const ImGuiIO& io = ImGui::GetIO();
   constexpr ImGuiButtonFlags any_button = ImGuiButtonFlags_MouseButtonLeft |
                                           ImGuiButtonFlags_MouseButtonRight |
                                           ImGuiButtonFlags_MouseButtonMiddle;
-  ImGui::InvisibleButton("##view", size, any_button);
-  mark_target(studio, "viewport");
+  ImGui::SetCursorScreenPos(placed.origin);
+  ImGui::PushID(static_cast<int>(placed.index));
+  ImGui::InvisibleButton("##view", placed.size, any_button);
+  ImGui::SetItemAllowOverlap();
+  ImGui::PopID();
+  mark_target(studio, placed.index == 0 ? "viewport" : "viewport:" + std::to_string(placed.index));
   MouseInput mouse;
-  mouse.cursor = {io.MousePos.x - origin.x, io.MousePos.y - origin.y};
+  mouse.cursor = {io.MousePos.x - placed.origin.x, io.MousePos.y - placed.origin.y};
   mouse.over = ImGui::IsItemHovered();
   mouse.held = ImGui::IsItemActive();
   mouse.pressed = ImGui::IsItemActivated();
@@ -147,12 +124,14 @@ MouseInput read_mouse(Studio& studio, ImVec2 origin, ImVec2 size) {
 }
 
 // Only when something has changed; once it has not for a while, in a finer picture.
-void draw_picture(Studio& studio, const Scene& scene, ImVec2 size) {
+void draw_picture(Studio& studio, const Scene& scene, const PlacedPane& placed) {
   ViewportState& state = studio.viewport;
+  ViewPane& pane = state.panes[placed.index];
+  const ImVec2 size = placed.size;
   const ImVec2 density = ImGui::GetIO().DisplayFramebufferScale;
   const float pixels = std::max(density.x, 1.F);
   PictureKey key;
-  key.camera = state.camera;
+  key.camera = pane.camera;
   key.size = {static_cast<int>(std::lround(size.x * pixels)), static_cast<int>(std::lround(size.y * pixels)),
               1, pixels * studio.fonts.scale};
   key.view = studio.ui.view;
@@ -160,78 +139,132 @@ void draw_picture(Studio& studio, const Scene& scene, ImVec2 size) {
   key.coarse = moving(state) && state.display.coarse;
   key.document_revision = studio.history.revision();
   if (studio.ui.look) key.looked_at = studio.ui.look->part_template;
+  key.compared = compared_template(studio);
   key.fit_revision = state.coloured_fit;
   key.display_revision = state.display.shape_revision;
-  key.selected = studio.ui.part;
+  if (studio.ui.view.average && state.average) key.average = state.average->points;
+  key.selected = selected_parts(studio.ui);
   key.hovered = state.hovered;
-  const bool changed = state.drawn != key;
-  if (changed) state.changed_at = Clock::now();
-  const bool rested = Clock::now() - state.changed_at > rest_before_fine_picture;
-  const bool refine = !changed && !state.drawn_fine && rested && state.action == MouseAction::none;
+  const bool changed = pane.drawn != key;
+  if (changed) pane.changed_at = Clock::now();
+  const bool rested = Clock::now() - pane.changed_at > rest_before_fine_picture;
+  const bool refine = !changed && !pane.drawn_fine && rested && state.action == MouseAction::none;
   if (!changed && !refine) return;
   PictureSize drawn_size = key.size;
   if (refine) drawn_size.supersample = fine;
-  state.renderer.draw(scene, state.camera, drawn_size, state.target);
-  state.drawn = key;
-  state.drawn_fine = refine;
+  state.renderer.draw(scene, pane.camera, drawn_size, pane.target);
+  pane.drawn = key;
+  pane.drawn_fine = refine;
 }
 
-void draw_overlay(Studio& studio, ImVec2 origin, ImVec2 size, const GizmoView& view,
+void draw_overlay(Studio& studio, const PlacedPane& placed, const GizmoView& view,
                   const std::vector<HandleShape>& shapes) {
+  const ImVec2 origin = placed.origin;
+  const ImVec2 size = placed.size;
   const ViewportState& state = studio.viewport;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.PushClipRect(origin, {origin.x + size.x, origin.y + size.y}, true);
   const std::shared_ptr<const PartTemplate> shown = shown_template(studio);
   if (shown && studio.ui.view.mean_boxes && studio.ui.view.part_names)
     draw_part_names(draw, origin, *shown, studio.ui.part, view);
-  const auto highlighted = state.drag ? std::optional(state.drag->handle) : state.handle;
+  const auto of_mouse = state.drag ? std::optional(state.drag->handle) : state.handle;
+  const auto highlighted = placed.index == state.current ? of_mouse : std::nullopt;
   draw_handles(draw, origin, shapes, highlighted, view.scale);
+  if (state.snapped) draw_snapped(draw, origin, *state.snapped, view);
+  if (placed.index == state.current) {
+    draw_transform(studio, draw, origin, view);
+    draw_point_tool(studio, draw, origin, view);
+  }
+  draw_spread_dots(studio, draw, origin, view);
+  const bool one_of_four = studio.ui.view.four_views && placed.index != 0;
+  if (studio.ui.view.colour == SurfaceColour::cost && state.colours.samples && !one_of_four)
+    draw_heat_legend(draw, studio.fonts, colours(studio), {origin.x + size.x, origin.y + size.y});
   draw_axes(draw, origin, view, ImGui::GetColorU32(colours(studio).text));
   draw.PopClipRect();
 }
 
 std::vector<HandleShape> handles_of_selection(const Studio& studio, const GizmoView& view) {
-  const PartTemplate* active = studio.history.current().active_template();
-  if (studio.ui.look || !active || !studio.ui.part || *studio.ui.part >= active->parts.size() ||
-      !studio.ui.view.mean_boxes)
-    return {};
-  return handle_shapes(active->parts[*studio.ui.part].mean_box(), studio.ui.tool, view);
+  if (studio.ui.view.spread) return {};  // they would lie among the dots of the spread
+  if (studio.ui.look || !studio.ui.view.mean_boxes || by_outline(studio.ui.points.tool)) return {};
+  const std::optional<Box> held = held_box(selected_boxes(studio));
+  return held ? handle_shapes(*held, studio.ui.tool, view) : std::vector<HandleShape>{};
+}
+
+GizmoView view_of(const Studio& studio, const PlacedPane& placed) {
+  return {studio.viewport.panes[placed.index].camera, placed.viewport(),
+          static_cast<double>(studio.fonts.scale)};
+}
+
+// The pane under the mouse becomes the current one, unless the mouse is held from another.
+void follow_mouse_in(Studio& studio, const std::vector<PlacedPane>& panes) {
+  ViewportState& state = studio.viewport;
+  const bool held = state.action != MouseAction::none || studio.ui.transform;
+  std::optional<std::size_t> with_mouse;
+  std::vector<MouseInput> inputs;
+  for (std::size_t i = 0; i < panes.size(); ++i) {
+    inputs.push_back(read_mouse(studio, panes[i]));
+    if (held ? panes[i].index == state.current : inputs[i].over) with_mouse = i;
+  }
+  if (with_mouse) state.current = panes[*with_mouse].index;
+  for (std::size_t i = 0; i < panes.size(); ++i) {
+    if (panes[i].index != state.current) continue;
+    const GizmoView view = view_of(studio, panes[i]);
+    if (!studio.ui.transform && !by_outline(studio.ui.points.tool) && follow_spread(studio, inputs[i], view))
+      continue;
+    follow_mouse(studio, inputs[i], make_viewport_scene(content_of(studio)), view,
+                 handles_of_selection(studio, view));
+  }
+}
+
+void draw_pane(Studio& studio, const PlacedPane& placed) {
+  draw_picture(studio, make_viewport_scene(content_of(studio)), placed);
+  const gl::Texture& texture = studio.viewport.panes[placed.index].target.texture();
+  // OpenGL's first row is the lowest.
+  ImGui::GetWindowDrawList()->AddImage(
+      reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture.name())), placed.origin,
+      {placed.origin.x + placed.size.x, placed.origin.y + placed.size.y}, {0, 1}, {1, 0});
+  const GizmoView view = view_of(studio, placed);
+  draw_overlay(studio, placed, view, handles_of_selection(studio, view));
+  draw_pane_title(studio, placed);
 }
 
 }  // namespace
 
 ViewportState::ViewportState(const std::filesystem::path& shaders, std::function<void()> wake)
-    : renderer(shaders), worker(make_shape_display, wake), coarse_worker(make_coarse_mesh, std::move(wake)) {}
+    : renderer(shaders),
+      worker(make_shape_display, wake),
+      coarse_worker(make_coarse_mesh, wake),
+      average_worker(make_average_shape, std::move(wake)) {}
+
+bool ViewportState::flying() const {
+  return std::ranges::any_of(shown, [&](std::size_t index) { return panes[index].flight.has_value(); });
+}
 
 void draw_viewport(Studio& studio) {
   ViewportState& state = studio.viewport;
   take_over_shape(studio);
+  take_over_average(studio);
   draw_look_strip(studio);
-  const ImVec2 origin = ImGui::GetCursorScreenPos();
-  const ImVec2 size = ImGui::GetContentRegionAvail();
-  if (size.x < 1 || size.y < 1) return;
-  GizmoView view;
-  view.viewport = {static_cast<int>(size.x), static_cast<int>(size.y)};
-  view.scale = studio.fonts.scale;
-  follow_wishes(studio, content_of(studio), view.viewport);
-  view.camera = state.camera;
-
-  const MouseInput mouse = read_mouse(studio, origin, size);
-  follow_mouse(studio, mouse, make_viewport_scene(content_of(studio)), view,
-               handles_of_selection(studio, view));
-  view.camera = state.camera;
-
-  draw_picture(studio, make_viewport_scene(content_of(studio)), size);
-  // OpenGL's first row is the lowest.
-  ImGui::GetWindowDrawList()->AddImage(
-      reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(state.target.texture().name())), origin,
-      {origin.x + size.x, origin.y + size.y}, {0, 1}, {1, 0});
-  draw_overlay(studio, origin, size, view, handles_of_selection(studio, view));
+  // Only one view turns.
+  if (studio.ui.wanted_view && studio.ui.wanted_view != CameraView::home) state.current = 0;
+  const std::vector<PlacedPane> panes =
+      place_panes(studio, ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail());
+  state.shown.clear();
+  for (const PlacedPane& pane : panes) state.shown.push_back(pane.index);
+  const ViewportContent content = content_of(studio);
+  take_wishes(studio, content, panes);
+  for (const PlacedPane& pane : panes) follow_flight(studio, content, pane);
+  follow_mouse_in(studio, panes);
+  for (const PlacedPane& pane : panes) draw_pane(studio, pane);
 }
 
 bool viewport_busy(const ViewportState& state, std::uint64_t shape_revision) {
-  return state.flight || !state.worker.idle() || state.asked_display != shape_revision ||
-         (state.drawn && !state.drawn_fine && state.action == MouseAction::none);
+  const auto refining = [&](std::size_t index) {
+    const ViewPane& pane = state.panes[index];
+    return pane.flight || (pane.drawn && !pane.drawn_fine && state.action == MouseAction::none);
+  };
+  return !state.worker.idle() || !state.average_worker.idle() || state.asked_display != shape_revision ||
+         std::ranges::any_of(state.shown, refining);
 }
 
 }  // namespace archetype

@@ -9,6 +9,8 @@
 
 #include "core/session/actions.h"
 #include "render/picking.h"
+#include "ui/point_tools.h"
+#include "ui/selection.h"
 #include "ui/studio.h"
 
 namespace archetype {
@@ -19,21 +21,23 @@ constexpr double radians_per_pixel = 0.0085;  // at scale 1
 constexpr double zoom_per_notch = 0.87;
 constexpr double zoom_per_pixel = 0.994;  // upwards, at scale 1
 
-// Clicking again on the same place takes the next box below the cursor.
-void select_at(Studio& studio, const Scene& scene, const GizmoView& view, const glm::dvec2& cursor) {
+// Clicking again on the same place takes the next box below the cursor; with Shift or Ctrl the front one is
+// taken in or out.
+void select_at(Studio& studio, const Scene& scene, const GizmoView& view, const MouseInput& mouse) {
   if (studio.ui.look) return;  // there is nothing to edit
   std::vector<std::size_t> parts;
   const PartTemplate* active = studio.history.current().active_template();
   if (active && studio.ui.view.mean_boxes)
-    for (const Pick& pick : pick_boxes(scene, ray_through(view.camera, view.viewport, cursor)))
+    for (const Pick& pick : pick_boxes(scene, ray_through(view.camera, view.viewport, mouse.cursor)))
       if (pick.object < active->parts.size()) parts.push_back(pick.object);
-  if (parts.empty()) {
-    studio.ui.part.reset();
+  if (mouse.shift || mouse.ctrl) {
+    if (!parts.empty()) toggle_selected(studio.ui, parts.front());
     return;
   }
+  if (parts.empty()) return select_only(studio.ui, std::nullopt);
   const auto current = std::find(parts.begin(), parts.end(), studio.ui.part);
   const bool next = current != parts.end() && current + 1 != parts.end();
-  studio.ui.part = next ? *(current + 1) : parts.front();
+  select_only(studio.ui, next ? *(current + 1) : parts.front());
 }
 
 // What dragging with a button does where there is no handle. None: it only clicks.
@@ -56,18 +60,19 @@ MouseAction camera_action(Navigation navigation, const MouseInput& mouse) {
 
 void begin(Studio& studio, const MouseInput& mouse) {
   ViewportState& state = studio.viewport;
-  state.flight.reset();
+  state.pane().flight.reset();
   state.pressed_at = mouse.cursor;
   state.last_cursor = mouse.cursor;
   const bool left = mouse.button == ImGuiMouseButton_Left;
   state.after_click = camera_action(studio.ui.navigation, mouse);
+  if (state.current != 0 && state.after_click == MouseAction::orbit) state.after_click = MouseAction::pan;
   const bool for_camera = studio.ui.navigation == Navigation::maya && mouse.alt;
-  const PartTemplate* active = studio.history.current().active_template();
-  if (left && !for_camera && state.handle && active && studio.ui.part &&
-      *studio.ui.part < active->parts.size()) {
+  std::vector<PlacedPart> held = selected_boxes(studio);
+  if (left && !for_camera && state.handle && !held.empty()) {
     state.action = MouseAction::handle;
-    state.drag = BoxDrag{*state.handle, active->parts[*studio.ui.part].mean_box(), mouse.cursor};
-    state.drag_part = *studio.ui.part;
+    state.drag = BoxDrag{*state.handle, *held_box(held), mouse.cursor};
+    state.drag_parts = std::move(held);
+    state.snap_planes = snap_planes(studio, state.drag_parts);
     state.drag_previewed = false;
     studio.ui.drag_axis.reset();
     return;
@@ -76,37 +81,49 @@ void begin(Studio& studio, const MouseInput& mouse) {
 }
 
 DragModifiers modifiers(const Studio& studio, const MouseInput& mouse) {
-  return {.about_centre = mouse.alt, .steps = mouse.ctrl, .only_axis = studio.ui.drag_axis};
+  return {.about_centre = mouse.alt, .steps = mouse.shift, .only_axis = studio.ui.drag_axis};
 }
 
 void end_drag(ViewportState& state) {
   state.action = MouseAction::none;
   state.drag.reset();
+  state.snapped.reset();
   state.drag_previewed = false;
+}
+
+// What the drag makes of the box, snapped where that is wanted.
+Box pulled_box(Studio& studio, const MouseInput& mouse, const GizmoView& view) {
+  ViewportState& state = studio.viewport;
+  const DragModifiers held = modifiers(studio, mouse);
+  const Box box = dragged_box(*state.drag, view, mouse.cursor, held);
+  state.snapped.reset();
+  if (studio.ui.snapping == mouse.ctrl) return box;
+  state.snapped = snapped(box, *state.drag, held, state.snap_planes, snap_reach(view, box.centre));
+  return state.snapped->box;
 }
 
 void drag_handle(Studio& studio, const MouseInput& mouse, const GizmoView& view) {
   ViewportState& state = studio.viewport;
   // Esc and undo drop the preview; the part may go with it, or another one be selected.
-  const PartTemplate* active = studio.history.committed().active_template();
-  const bool there = active && state.drag_part < active->parts.size() && studio.ui.part == state.drag_part;
+  const bool there = still_selected(studio, state.drag_parts);
   const bool dropped = state.drag_previewed && !studio.history.has_preview();
   if (dropped || !there) {
     if (state.drag_previewed) studio.history.cancel_preview();
     end_drag(state);
     return;
   }
-  const Box box = dragged_box(*state.drag, view, mouse.cursor, modifiers(studio, mouse));
+  const Box box = pulled_box(studio, mouse, view);
+  const std::vector<PlacedPart> placed = carried(state.drag_parts, state.drag->start, box);
   if (mouse.released) {
     // A click on a handle, or a drag that came back to its start, is no edit.
     if (state.drag_previewed) studio.history.cancel_preview();
-    if (state.drag_previewed) set_part_box(studio.history, state.drag_part, box, Stage::done);
+    if (state.drag_previewed) set_part_boxes(studio.history, placed);
     end_drag(state);
     return;
   }
   const bool moved = glm::length(mouse.cursor - state.pressed_at) > click_reach * view.scale;
   if (!moved && !state.drag_previewed) return;
-  set_part_box(studio.history, state.drag_part, box, Stage::live);
+  set_part_boxes(studio.history, placed, Stage::live);
   state.drag_previewed = true;
 }
 
@@ -127,10 +144,12 @@ void hover(Studio& studio, const MouseInput& mouse, const Scene& scene, const Gi
 void move_camera(ViewportState& state, const MouseInput& mouse, const GizmoView& view) {
   const glm::dvec2 way = mouse.cursor - state.last_cursor;
   if (state.action == MouseAction::orbit)
-    orbit(state.camera, -way.x * radians_per_pixel / view.scale, way.y * radians_per_pixel / view.scale);
-  if (state.action == MouseAction::pan) pan(state.camera, view.viewport, state.last_cursor, mouse.cursor);
+    orbit(state.pane().camera, -way.x * radians_per_pixel / view.scale,
+          way.y * radians_per_pixel / view.scale);
+  if (state.action == MouseAction::pan)
+    pan(state.pane().camera, view.viewport, state.last_cursor, mouse.cursor);
   if (state.action == MouseAction::zoom)
-    zoom(state.camera, view.viewport, state.pressed_at, std::pow(zoom_per_pixel, -way.y / view.scale));
+    zoom(state.pane().camera, view.viewport, state.pressed_at, std::pow(zoom_per_pixel, -way.y / view.scale));
   state.last_cursor = mouse.cursor;
 }
 
@@ -140,9 +159,11 @@ void follow_mouse(Studio& studio, const MouseInput& mouse, const Scene& scene, c
                   const std::vector<HandleShape>& shapes) {
   ViewportState& state = studio.viewport;
   if (mouse.over && mouse.wheel != 0) {
-    state.flight.reset();
-    zoom(state.camera, view.viewport, mouse.cursor, std::pow(zoom_per_notch, mouse.wheel));
+    state.pane().flight.reset();
+    zoom(state.pane().camera, view.viewport, mouse.cursor, std::pow(zoom_per_notch, mouse.wheel));
   }
+  if (studio.ui.transform) return follow_transform(studio, mouse, view);
+  if (follow_point_tool(studio, mouse, view)) return;
   if (state.action == MouseAction::none) hover(studio, mouse, scene, view, shapes);
   if (mouse.pressed) begin(studio, mouse);
   if (state.action == MouseAction::none) return;
@@ -160,7 +181,7 @@ void follow_mouse(Studio& studio, const MouseInput& mouse, const Scene& scene, c
     if (glm::length(mouse.cursor - state.pressed_at) > click_reach * view.scale)
       state.action = state.after_click;
     else if (mouse.released)
-      select_at(studio, scene, view, mouse.cursor);
+      select_at(studio, scene, view, mouse);
   }
   move_camera(state, mouse, view);
   if (mouse.released) state.action = MouseAction::none;

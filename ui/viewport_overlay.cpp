@@ -108,11 +108,17 @@ std::optional<NameTag> place_name(const TemplatePart& part, std::size_t index, I
   const ImVec2 middle = at(origin, {0.5 * (left + right), top->y});
   NameTag tag{index, view_depth(view.camera, to_glm(box.centre)), {}, {}};
   tag.low = {middle.x - 0.5F * text.x - 6 * scale, middle.y - text.y - 9 * scale};
+  const bool just_above = tag.low.y < origin.y && middle.y > origin.y - text.y;
+  if (just_above) tag.low.y = origin.y + 2 * scale;  // rather than cut off
   tag.high = {tag.low.x + text.x + 12 * scale, tag.low.y + text.y + 5 * scale};
   return tag;
 }
 
 }  // namespace
+
+ImU32 axis_colour(int axis) {
+  return axis_colours[static_cast<std::size_t>(axis)];
+}
 
 void draw_handles(ImDrawList& draw, ImVec2 origin, const std::vector<HandleShape>& shapes,
                   const std::optional<Handle>& highlighted, double scale) {
@@ -135,7 +141,7 @@ void draw_part_names(ImDrawList& draw, ImVec2 origin, const PartTemplate& part_t
     if (std::any_of(drawn.begin(), drawn.end(), [&](const NameTag& other) { return overlap(tag, other); }))
       continue;
     drawn.push_back(tag);
-    const Rgb rgb = part_colour(static_cast<int>(tag.part));
+    const Rgb rgb = part_colour(part_template, static_cast<int>(tag.part));
     const bool chosen = selected == tag.part;
     draw.AddRectFilled(tag.low, tag.high, IM_COL32(24, 26, 30, chosen ? 235 : 170), 4 * scale);
     draw.AddRect(tag.low, tag.high, IM_COL32(rgb[0], rgb[1], rgb[2], chosen ? 255 : 150), 4 * scale, 0,

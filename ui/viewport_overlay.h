@@ -18,6 +18,8 @@ void draw_handles(ImDrawList& draw, ImVec2 origin, const std::vector<HandleShape
 // Each name above its box; one that would lie over another's is left out, the selected part's never.
 void draw_part_names(ImDrawList& draw, ImVec2 origin, const PartTemplate& part_template,
                      std::optional<std::size_t> selected, const GizmoView& view);
+// The colour of an axis of the template, or of a box.
+ImU32 axis_colour(int axis);
 // In the lower left corner: where x, y and z point.
 void draw_axes(ImDrawList& draw, ImVec2 origin, const GizmoView& view, ImU32 text_colour);
 

@@ -1,11 +1,13 @@
 // The scene of the viewport.
 #include "ui/viewport_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 
 #include "render/convert.h"
 #include "render/thumbnails.h"
+#include "ui/heat_map.h"
 
 namespace archetype {
 namespace {
@@ -26,20 +28,6 @@ glm::mat4 shape_to_scene(const ViewFit* fit) {
   return matrix;
 }
 
-std::optional<std::pair<glm::dvec3, glm::dvec3>> shape_extent(const ViewportContent& content) {
-  const auto box = [&](const auto& geometry) {
-    // A quarter turn about up: the corners stay corners.
-    const glm::mat4 turn = shape_to_scene(content.fit);
-    const glm::dvec3 a(turn * glm::vec4(geometry.low, 1));
-    const glm::dvec3 b(turn * glm::vec4(geometry.high, 1));
-    return std::pair(glm::min(a, b), glm::max(a, b));
-  };
-  if (content.display.mesh && content.display.mesh->triangle_count() > 0) return box(*content.display.mesh);
-  if (content.display.points) return box(*content.display.points);
-  if (content.display.samples) return box(*content.display.samples);
-  return std::nullopt;
-}
-
 // Towards white over a dark backdrop and black over a light one, so that outlines stand out from surfaces of
 // the same colour, and dark hues from the backdrop.
 Rgb contrasting(const Rgb& colour, Backdrop backdrop, double share) {
@@ -53,38 +41,55 @@ Rgb contrasting(const Rgb& colour, Backdrop backdrop, double share) {
 void add_shape(const ViewportContent& content, Scene& scene) {
   const ViewOptions& view = content.view;
   const glm::mat4 turn = shape_to_scene(content.fit);
-  const bool by_part = view.colour == SurfaceColour::part;
+  const bool coloured = view.colour != SurfaceColour::plain;
   const Rgb plain = plain_colour(content.backdrop);
   if (content.display.mesh && (view.surface || view.wireframe)) {
     const bool coarse = content.moving && content.display.coarse;
     SceneMesh mesh{.geometry = coarse ? content.display.coarse : content.display.mesh,
                    .colour = plain,
                    .transform = turn};
-    if (by_part) mesh.face_colours = content.colours.elements;
+    if (coloured) mesh.face_colours = content.colours.elements;
     mesh.surface = view.surface;
     mesh.edges = view.wireframe;
     scene.meshes.push_back(std::move(mesh));
   }
   if (content.display.points && (view.surface || view.points)) {
     ScenePoints points{.geometry = content.display.points, .colour = plain, .transform = turn};
-    if (by_part) points.colours = content.colours.elements;
+    if (coloured) points.colours = content.colours.elements;
     scene.points.push_back(std::move(points));
   }
   // Without its file a shape is still seen by its samples.
   const bool no_file = !content.display.mesh && !content.display.points;
-  if (content.display.samples && (view.points || no_file)) {
+  // Large faces have one colour each: there the samples tell more.
+  const bool large_faces = content.display.mesh && content.display.samples &&
+                           content.display.mesh->face_count < content.display.samples->positions.size();
+  const bool heat = view.colour == SurfaceColour::cost && large_faces;
+  if (content.display.samples && (view.points || no_file || heat)) {
     ScenePoints samples{.geometry = content.display.samples, .colour = plain, .transform = turn};
-    if (by_part) samples.colours = content.colours.samples;
+    if (coloured) samples.colours = content.colours.samples;
     if (view.surface && !no_file) samples.radius = 0.35F * samples.geometry->spacing;
     scene.points.push_back(std::move(samples));
   }
 }
 
+void add_average(const ViewportContent& content, Scene& scene) {
+  const AverageShape& average = *content.average;
+  ScenePoints ghost{.geometry = average.points, .behind = true};
+  ghost.colours = content.backdrop == Backdrop::light ? average.over_light : average.over_dark;
+  scene.points.push_back(std::move(ghost));
+}
+
+bool also_selected(const ViewportContent& content, std::size_t part) {
+  return std::find(content.also_selected.begin(), content.also_selected.end(), part) !=
+         content.also_selected.end();
+}
+
 void add_mean_boxes(const ViewportContent& content, Scene& scene) {
   const auto& parts = content.part_template->parts;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    SceneBox box{.box = parts[i].mean_box(), .colour = part_colour(static_cast<int>(i))};
-    const bool chosen = content.selected == i;
+    SceneBox box{.box = parts[i].mean_box(),
+                 .colour = part_colour(*content.part_template, static_cast<int>(i))};
+    const bool chosen = content.selected == i || also_selected(content, i);
     box.fill = chosen ? 0.24F : content.hovered == i ? 0.2F : 0.12F;
     box.outline = contrasting(box.colour, content.backdrop, chosen ? 0.65 : 0.25);
     box.outline_width = chosen ? 2.6F : content.hovered == i ? 2.2F : 1.5F;
@@ -94,11 +99,55 @@ void add_mean_boxes(const ViewportContent& content, Scene& scene) {
   }
 }
 
+// As in the figures of the paper: an ellipsoid of one standard deviation of the position at the centre, and
+// through the middle of each side a dashed line over one standard deviation of the half extent to either way.
+void add_spread(const ViewportContent& content, Scene& scene) {
+  const auto& parts = content.part_template->parts;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const TemplatePart& part = parts[i];
+    const bool chosen = content.selected == i;
+    const Rgb colour = part_colour(*content.part_template, static_cast<int>(i));
+    SceneEllipsoid ellipsoid{.axes = {part.position.mean, part.position.stddev}, .colour = colour};
+    ellipsoid.opacity = chosen ? 0.5F : 0.3F;
+    scene.ellipsoids.push_back(ellipsoid);
+    for (int k = 0; k < 3; ++k)
+      for (const double side : {-1.0, 1.0}) {
+        const Vec3 out = part.orientation * Vec3(side * Vec3::Unit(k));
+        const double inner = std::max(part.scale.mean[k] - part.scale.stddev[k], 0.0);
+        SceneLine line;
+        line.from = to_glm(Vec3(part.position.mean + inner * out));
+        line.to = to_glm(Vec3(part.position.mean + (part.scale.mean[k] + part.scale.stddev[k]) * out));
+        line.colour = contrasting(colour, content.backdrop, chosen ? 0.6 : 0.25);
+        line.width = chosen ? 2.2F : 1.6F;
+        line.dash = 4;
+        scene.lines.push_back(line);
+      }
+  }
+}
+
+// Dashed and without faces: nothing to take hold of.
+void add_compared_boxes(const ViewportContent& content, Scene& scene) {
+  const auto& parts = content.compared->parts;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    SceneBox box{
+        .box = parts[i].mean_box(), .colour = part_colour(*content.compared, static_cast<int>(i)), .fill = 0};
+    box.outline = contrasting(box.colour, content.backdrop, 0.1);
+    box.outline_width = 1.3F;
+    box.dash = 4;
+    scene.boxes.push_back(box);
+  }
+}
+
+Rgb colour_of_fitted(const ViewFit& fit, std::size_t part) {
+  const int index = static_cast<int>(part);
+  return fit.part_template ? part_colour(*fit.part_template, index) : part_colour(index);
+}
+
 void add_fitted_boxes(const ViewportContent& content, Scene& scene) {
   const ShapeFit& fit = content.fit->fit;
   for (std::size_t i = 0; i < fit.parts.size(); ++i) {
     if (!fit.parts[i].present) continue;
-    SceneBox box{.box = fit.parts[i].box, .colour = part_colour(static_cast<int>(i)), .fill = 0.05F};
+    SceneBox box{.box = fit.parts[i].box, .colour = colour_of_fitted(*content.fit, i), .fill = 0.05F};
     box.box.centre += fit.translation;
     box.outline_width = 1.2F;
     if (content.view.mean_boxes) box.dash = 3;
@@ -108,16 +157,38 @@ void add_fitted_boxes(const ViewportContent& content, Scene& scene) {
 
 }  // namespace
 
-ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display) {
+std::optional<std::pair<glm::dvec3, glm::dvec3>> shape_extent(const ShapeDisplay& display,
+                                                              const ViewFit* fit) {
+  const auto box = [&](const auto& geometry) {
+    // A quarter turn about up: the corners stay corners.
+    const glm::mat4 turn = shape_to_scene(fit);
+    const glm::dvec3 a(turn * glm::vec4(geometry.low, 1));
+    const glm::dvec3 b(turn * glm::vec4(geometry.high, 1));
+    return std::pair(glm::min(a, b), glm::max(a, b));
+  };
+  if (display.mesh && display.mesh->triangle_count() > 0) return box(*display.mesh);
+  if (display.points) return box(*display.points);
+  if (display.samples) return box(*display.samples);
+  return std::nullopt;
+}
+
+ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display, SurfaceColour by) {
   ShapeColours colours;
   // While another shape is being loaded the labels may still be those of the one before.
   const std::size_t elements = display.mesh     ? display.mesh->face_count
                                : display.points ? display.points->positions.size()
                                                 : 0;
-  if (elements > 0 && fit.element_labels.size() == elements)
-    colours.elements = colours_of_labels(fit.element_labels);
-  if (display.samples && fit.fit.labels.size() == display.samples->positions.size())
-    colours.samples = colours_of_labels(fit.fit.labels);
+  const std::size_t samples = display.samples ? display.samples->positions.size() : 0;
+  const bool heat = by == SurfaceColour::cost;
+  const PartTemplate* of = fit.part_template.get();
+  if (elements > 0 && !heat && fit.element_labels.size() == elements)
+    colours.elements = colours_of_labels(fit.element_labels, of);
+  if (elements > 0 && heat && fit.element_costs.size() == elements)
+    colours.elements = heat_colours(std::span(fit.element_costs));
+  if (samples > 0 && !heat && fit.fit.labels.size() == samples)
+    colours.samples = colours_of_labels(fit.fit.labels, of);
+  if (samples > 0 && heat && fit.sample_costs.size() == samples)
+    colours.samples = heat_colours(std::span(fit.sample_costs));
   return colours;
 }
 
@@ -125,9 +196,13 @@ Scene make_viewport_scene(const ViewportContent& content) {
   Scene scene;
   scene.backdrop = content.backdrop;
   scene.grid = content.view.ground;
-  if (const auto extent = shape_extent(content)) scene.ground = static_cast<float>(extent->first.y);
+  if (const auto extent = shape_extent(content.display, content.fit))
+    scene.ground = static_cast<float>(extent->first.y);
+  if (content.average && content.view.average) add_average(content, scene);
   add_shape(content, scene);
   if (content.part_template && content.view.mean_boxes) add_mean_boxes(content, scene);
+  if (content.part_template && content.view.mean_boxes && content.view.spread) add_spread(content, scene);
+  if (content.compared && content.view.mean_boxes) add_compared_boxes(content, scene);
   if (content.fit && content.view.fitted_boxes) add_fitted_boxes(content, scene);
   return scene;
 }
@@ -141,8 +216,10 @@ std::optional<std::pair<glm::dvec3, glm::dvec3>> extent_to_frame(const ViewportC
   };
   if (content.selected && content.part_template && *content.selected < content.part_template->parts.size()) {
     add_box(content.part_template->parts[*content.selected].mean_box());
+    for (const std::size_t part : content.also_selected)
+      if (part < content.part_template->parts.size()) add_box(content.part_template->parts[part].mean_box());
   } else {
-    if (const auto extent = shape_extent(content)) {
+    if (const auto extent = shape_extent(content.display, content.fit)) {
       bounds.add(to_eigen(extent->first));
       bounds.add(to_eigen(extent->second));
     }

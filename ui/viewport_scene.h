@@ -9,25 +9,34 @@
 #include <optional>
 
 #include "render/scene.h"
+#include "ui/average_shape.h"
 #include "ui/shape_display.h"
 #include "ui/ui_state.h"
 
 namespace archetype {
 
-// Colours by part of what is drawn; null where the fit has none for it.
+// Colours of what is drawn, by part or as a heat map; null where the fit has none for it.
 struct ShapeColours {
   std::shared_ptr<const Colours> elements;  // faces, or points of a point set
   std::shared_ptr<const Colours> samples;
 };
-ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display);
+ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display,
+                            SurfaceColour by = SurfaceColour::part);
+
+// The corners of the shape as it is drawn, turned by its fit; nothing where there is none.
+std::optional<std::pair<glm::dvec3, glm::dvec3>> shape_extent(const ShapeDisplay& display,
+                                                              const ViewFit* fit);
 
 struct ViewportContent {
   const PartTemplate* part_template = nullptr;  // may be null
+  const PartTemplate* compared = nullptr;       // another one, to compare with; may be null
   const ViewFit* fit = nullptr;                 // may be null, or of an older template
   ShapeDisplay display;
   ShapeColours colours;
+  const AverageShape* average = nullptr;  // may be null
   ViewOptions view;
   std::optional<std::size_t> selected;
+  std::vector<std::size_t> also_selected;
   std::optional<std::size_t> hovered;
   bool moving = false;  // quick rather than exact: a large mesh is drawn coarser
   Backdrop backdrop = Backdrop::dark;

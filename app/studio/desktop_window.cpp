@@ -106,7 +106,7 @@ bool DesktopWindow::close_wanted() const {
 void DesktopWindow::wait_for_events() {
   constexpr double idle_seconds = 5;
   constexpr double running_seconds = 0.25;
-  if (frames_to_draw_ > 0 || keys_waiting_ || studio_->drag || studio_->viewport.flight) {
+  if (frames_to_draw_ > 0 || keys_waiting_ || studio_->drag || studio_->viewport.flying()) {
     glfwPollEvents();
     --frames_to_draw_;
     return;

@@ -238,6 +238,17 @@ std::vector<std::int16_t> ElementLabeller::vote(const ShapeFit& fit) const {
   return labels;
 }
 
+std::vector<float> ElementLabeller::interpolate(const std::vector<double>& values) const {
+  std::vector<float> result;
+  result.reserve(elements_.size());
+  for (const Element& element : elements_) {
+    double sum = 0;
+    for (std::size_t k = 0; k < nearest_count; ++k) sum += element.weights[k] * values[element.nearest[k]];
+    result.push_back(static_cast<float>(sum));
+  }
+  return result;
+}
+
 std::vector<std::int16_t> label_elements(const PolygonMesh& mesh, const ShapeSamples& samples,
                                          const PartTemplate& part_template, const ShapeFit& fit,
                                          const FitOptions& options, const JobControl& control) {

@@ -31,6 +31,9 @@ class ElementLabeller {
   std::vector<std::int16_t> label(const PartTemplate& part_template, const ShapeFit& fit,
                                   const JobControl& control = {}) const;
 
+  // Of every element the mean of what the nearest samples have, by their weights. values: one per sample.
+  std::vector<float> interpolate(const std::vector<double>& values) const;
+
  private:
   static constexpr std::size_t nearest_count = 3;
   struct Element {

@@ -68,12 +68,15 @@ PartTemplate loosened(PartTemplate part_template) {
 class Fitter {
  public:
   Fitter(const PartTemplate& part_template, const ShapeSamples& samples, const FitOptions& options)
+      : Fitter(part_template, samples, make_point_graph(samples, options), options) {}
+  Fitter(const PartTemplate& part_template, const ShapeSamples& samples, LabellingGraph graph,
+         const FitOptions& options)
       : template_(loosened(with_expected_features(part_template))),
         samples_(samples),
         options_(options),
         tree_(samples.points),
         surface_(sample_template(template_, options.template_points)),
-        graph_(make_point_graph(samples, options)),
+        graph_(std::move(graph)),
         unit_(options.distance_unit * samples.radius) {
     if (template_.parts.empty()) throw PreconditionError("a template without parts cannot be fitted");
     if (samples.size() == 0) throw PreconditionError("a shape without samples cannot be fitted");
@@ -334,31 +337,83 @@ std::optional<ShapeFit> fit_template(const PartTemplate& part_template, const Sh
   return fit;
 }
 
+namespace {
+
+// Where a fit of nearly the same template goes on from.
+struct NearStart {
+  const PartTemplate& part_template;
+  const ShapeFit& start;
+  std::vector<std::int16_t> labels;  // empty: they start over, parts may have come or gone since
+  bool same_parts = false;
+
+  NearStart(const PartTemplate& of, const ShapeSamples& samples, const ShapeFit& near)
+      : part_template(of), start(near), labels(near.labels) {
+    const auto parts = static_cast<std::int16_t>(of.parts.size());
+    const bool usable = labels.size() == samples.size() &&
+                        std::all_of(labels.begin(), labels.end(), [parts](auto l) { return l < parts; });
+    if (!usable) labels.clear();
+    same_parts = usable && near.parts.size() == of.parts.size();
+  }
+  Alternation from_means(const Fitter& fitter) const {
+    return fitter.start(start.yaw_quarters, start.translation, mean_boxes(part_template), labels);
+  }
+  // The mean boxes may not reach what the fit before has reached.
+  Alternation from_fitted(const Fitter& fitter) const {
+    std::vector<Box> boxes;
+    for (const FittedPart& part : start.parts) boxes.push_back(part.box);
+    return fitter.start(start.yaw_quarters, start.translation, std::move(boxes), labels);
+  }
+};
+
+ShapeFit of_one_yaw(const Alternation& run) {
+  ShapeFit fit = run.fit;
+  fit.yaw_energies.fill(std::numeric_limits<double>::infinity());
+  fit.yaw_energies[static_cast<std::size_t>(fit.yaw_quarters)] = fit.energy.total();
+  return fit;
+}
+
+}  // namespace
+
 std::optional<ShapeFit> refit_template(const PartTemplate& part_template, const ShapeSamples& samples,
                                        const ShapeFit& start, const FitOptions& options,
                                        const JobControl& control) {
   Fitter fitter(part_template, samples, options);
-  std::vector<std::int16_t> labels = start.labels;
-  // Parts may have come or gone since: such labels start over.
-  const auto parts = static_cast<std::int16_t>(part_template.parts.size());
-  const bool usable = labels.size() == samples.size() &&
-                      std::all_of(labels.begin(), labels.end(), [parts](auto l) { return l < parts; });
-  if (!usable) labels.clear();
+  const NearStart near(part_template, samples, start);
   const auto advance = [&](Alternation& state) { fitter.advance(state); };
-  Alternation run = fitter.start(start.yaw_quarters, start.translation, mean_boxes(part_template), labels);
+  Alternation run = near.from_means(fitter);
   if (!run_to_end(fitter, run, options, control, advance)) return std::nullopt;
-  if (usable && start.parts.size() == part_template.parts.size()) {
-    // The mean boxes may not reach what the fit before has reached.
-    std::vector<Box> boxes;
-    for (const FittedPart& part : start.parts) boxes.push_back(part.box);
-    Alternation other =
-        fitter.start(start.yaw_quarters, start.translation, std::move(boxes), std::move(labels));
+  if (near.same_parts) {
+    Alternation other = near.from_fitted(fitter);
     if (!run_to_end(fitter, other, options, control, advance)) return std::nullopt;
     if (other.fit.energy.total() < run.fit.energy.total()) run = std::move(other);
   }
-  run.fit.yaw_energies.fill(std::numeric_limits<double>::infinity());
-  run.fit.yaw_energies[static_cast<std::size_t>(start.yaw_quarters)] = run.fit.energy.total();
-  return run.fit;
+  return of_one_yaw(run);
+}
+
+std::optional<ShapeFit> follow_template(const PartTemplate& part_template, const ShapeSamples& samples,
+                                        const LabellingGraph& graph, const ShapeFit& start,
+                                        const FitOptions& options, const JobControl& control) {
+  Fitter fitter(part_template, samples, graph, options);
+  const NearStart near(part_template, samples, start);
+  const auto settle = [&](Alternation& state) {
+    while (!state.ended && !control.cancelled()) fitter.advance(state);
+  };
+  Alternation run = near.from_means(fitter);
+  if (near.same_parts) {
+    for (std::size_t i = 0; i < run.boxes.size(); ++i) run.boxes[i].solid = start.parts[i].box.solid;
+    Alternation other = near.from_fitted(fitter);
+    for (Alternation* state : {&run, &other})
+      for (int i = 0; i < first_alternations && !state->ended; ++i) fitter.advance(*state);
+    if (other.fit.energy.total() < run.fit.energy.total()) run = std::move(other);
+  }
+  settle(run);
+  const auto unfounded = [&] { return options.drop_parts ? fitter.unfounded_part(run) : std::nullopt; };
+  for (auto part = unfounded(); part && !control.cancelled(); part = unfounded()) {
+    run = fitter.without(run, *part);
+    settle(run);
+  }
+  if (control.cancelled()) return std::nullopt;
+  return of_one_yaw(run);
 }
 
 }  // namespace archetype

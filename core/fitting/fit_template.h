@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/job_control.h"
+#include "core/fitting/alpha_expansion.h"
 #include "core/fitting/fit_options.h"
 #include "core/model/part_template.h"
 #include "core/model/shape.h"
@@ -28,10 +29,16 @@ std::optional<ShapeFit> fit_template(const PartTemplate& part_template, const Sh
                                      const FitOptions& options, const JobControl& control = {},
                                      FitRecording* recording = nullptr);
 
-// The same from a fit that is near already (a box was moved a little): its yaw, translation and labels are
-// the start, no other yaw is tried. For live editing.
+// The same from a fit that is near already: its yaw, translation and labels are the start, no other yaw is
+// tried.
 std::optional<ShapeFit> refit_template(const PartTemplate& part_template, const ShapeSamples& samples,
                                        const ShapeFit& start, const FitOptions& options,
                                        const JobControl& control = {});
+
+// As refit_template(), in half its time, for live editing: a box was moved a little. Parts stay as round as
+// `start` has them. graph: make_point_graph(samples, options), made once for all fits of the shape.
+std::optional<ShapeFit> follow_template(const PartTemplate& part_template, const ShapeSamples& samples,
+                                        const LabellingGraph& graph, const ShapeFit& start,
+                                        const FitOptions& options, const JobControl& control = {});
 
 }  // namespace archetype

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace archetype {
@@ -128,6 +129,27 @@ FaceAdjacency find_adjacent_faces(const PolygonMesh& mesh) {
     result.pairs.push_back(pair);
   }
   return result;
+}
+
+std::vector<std::uint32_t> face_components(const PolygonMesh& mesh) {
+  const std::vector<std::uint32_t> first = weld(mesh.vertices);
+  DisjointSets sets(mesh.vertices.size());
+  for (std::size_t f = 0; f < mesh.face_count(); ++f)
+    for (const std::uint32_t corner : mesh.face(f)) sets.join(first[mesh.face(f)[0]], first[corner]);
+  constexpr auto none = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> number_of_set(mesh.vertices.size(), none);
+  std::vector<std::uint32_t> components(mesh.face_count());
+  std::uint32_t count = 0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.face(f).empty()) {
+      components[f] = count++;  // a face without corners hangs together with nothing
+      continue;
+    }
+    std::uint32_t& number = number_of_set[sets.find(first[mesh.face(f)[0]])];
+    if (number == none) number = count++;
+    components[f] = number;
+  }
+  return components;
 }
 
 }  // namespace archetype

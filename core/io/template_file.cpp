@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/io/file.h"
 #include "core/io/json_input.h"
+#include "core/model/part_colours.h"
 
 namespace archetype {
 namespace {
@@ -125,6 +126,16 @@ Eigen::Quaterniond parse_orientation(const Node& node) {
   return quaternion;
 }
 
+MirrorLink parse_mirror(const Node& node) {
+  node.expect_object();
+  MirrorLink mirror;
+  mirror.pair = node.at("pair").integer(1, std::numeric_limits<int>::max());
+  const std::string axis = node.at("axis").text();
+  if (axis != "x" && axis != "z") node.at("axis").fail("expected \"x\" or \"z\", found \"" + axis + "\"");
+  mirror.axis = axis == "x" ? 0 : 2;
+  return mirror;
+}
+
 TemplatePart parse_part(const Node& node, int index) {
   node.expect_object();
   TemplatePart part;
@@ -146,8 +157,10 @@ TemplatePart parse_part(const Node& node, int index) {
     }
   }
   if (node.has("existence")) part.existence = node.at("existence").number(least_template_spread, 1);
-  part.extra_json = unknown_keys(
-      node, {"name", "label", "must_exist", "orientation", "position", "scale", "features", "existence"});
+  if (node.has("palette_colour")) part.colour = node.at("palette_colour").integer(0, part_colour_count - 1);
+  if (node.has("mirror_link")) part.mirror = parse_mirror(node.at("mirror_link"));
+  part.extra_json = unknown_keys(node, {"name", "label", "must_exist", "orientation", "position", "scale",
+                                        "features", "existence", "mirror_link", "palette_colour"});
   return part;
 }
 
@@ -170,6 +183,9 @@ OrderedJson format_part(const TemplatePart& part) {
     json["features"] = {{"mean", array_of(part.features.mean)}, {"stddev", array_of(part.features.stddev)}};
   }
   json["existence"] = part.existence;
+  if (part.mirror.pair > 0)
+    json["mirror_link"] = {{"pair", part.mirror.pair}, {"axis", part.mirror.axis == 0 ? "x" : "z"}};
+  if (part.colour >= 0) json["palette_colour"] = part.colour;
   add_unknown_keys(json, part.extra_json);
   return json;
 }

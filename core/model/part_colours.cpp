@@ -1,6 +1,8 @@
 // The table of part colours: Okabe and Ito, "Color Universal Design", without its black, which outlines use.
 #include "core/model/part_colours.h"
 
+#include "core/model/part_template.h"
+
 namespace archetype {
 
 namespace {
@@ -38,6 +40,12 @@ Rgb part_colour(int part) {
     default:
       return hue;
   }
+}
+
+Rgb part_colour(const PartTemplate& part_template, int part) {
+  if (part < 0 || static_cast<std::size_t>(part) >= part_template.parts.size()) return part_colour(part);
+  const int own = part_template.parts[static_cast<std::size_t>(part)].colour;
+  return part_colour(own >= 0 ? own : part);
 }
 
 }  // namespace archetype

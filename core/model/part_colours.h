@@ -6,6 +6,8 @@
 
 namespace archetype {
 
+struct PartTemplate;
+
 using Rgb = std::array<std::uint8_t, 3>;  // sRGB
 
 inline constexpr int part_colour_count = 21;  // distinct ones; they repeat from there
@@ -14,5 +16,8 @@ inline constexpr int part_colour_count = 21;  // distinct ones; they repeat from
 // Seven hues that colour-blind readers can tell apart (Okabe and Ito 2008), then the same darker, then
 // lighter.
 Rgb part_colour(int part);
+
+// The same for a part of a template, which may have been given another colour of these by hand.
+Rgb part_colour(const PartTemplate& part_template, int part);
 
 }  // namespace archetype

@@ -11,8 +11,8 @@
 namespace archetype {
 
 struct HistoryLimits {
-  std::size_t entries = 500;
-  std::size_t bytes = std::size_t{64} << 20;  // of what the snapshots do not share with the one before
+  std::size_t entries = 20'000;
+  std::size_t bytes = std::size_t{128} << 20;  // of what the snapshots do not share with the one before
 };
 
 // A drag is many previews and one commit. A preview is what the window shows, but no step of its own: the

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/session/actions.h"
+#include "core/session/mirror_pairs.h"
 
 namespace archetype {
 namespace {
@@ -84,6 +85,20 @@ void rename_active_template(History& history, const std::string& name) {
   commit_active(history, std::move(renamed), message);
 }
 
+void move_active_template(History& history, int places) {
+  Document document = history.committed();
+  const std::string message = "Reorder template " + active_of(document).name;
+  auto& templates = document.templates;
+  const auto last = static_cast<std::ptrdiff_t>(templates.size()) - 1;
+  const auto from = static_cast<std::ptrdiff_t>(document.active);
+  const std::ptrdiff_t to = std::clamp<std::ptrdiff_t>(from + places, 0, last);
+  const std::shared_ptr<const PartTemplate> moved = templates[document.active];
+  templates.erase(templates.begin() + from);
+  templates.insert(templates.begin() + to, moved);
+  document.active = static_cast<std::size_t>(to);
+  history.commit(std::move(document), message);
+}
+
 void select_template(History& history, std::size_t index) {
   Document document = history.committed();
   if (index >= document.templates.size()) throw PreconditionError("there is no such template");
@@ -101,6 +116,7 @@ void adopt_fitted_boxes(History& history, const ShapeFit& fit) {
     adopted.parts[i].scale.mean = fit.parts[i].box.half_extent.cwiseMax(min_half_extent);
     adopted.parts[i].orientation = fit.parts[i].box.orientation;
   }
+  average_pairs(adopted);
   commit_active(history, std::move(adopted), "Take the boxes of the fit");
 }
 

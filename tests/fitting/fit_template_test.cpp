@@ -3,9 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/fitting/point_graph.h"
+#include "core/fitting/sample_costs.h"
 #include "tests/support/made_shapes.h"
 #include "tests/support/plain_fit.h"
 
@@ -175,6 +178,42 @@ TEST_CASE("live refits start from the fit that is there") {
   PartTemplate fewer = part_template;
   fewer.parts.pop_back();  // labels of the old fit name a part that is gone
   CHECK(refit_template(fewer, shape.samples, *fit, {})->parts.size() == fewer.parts.size());
+}
+
+TEST_CASE("while a box is dragged, fits follow the one before") {
+  const test::MadeShape shape = test::make_shape("chairs", {}, 2);
+  PartTemplate moved = test::template_from(shape);
+  const LabellingGraph graph = make_point_graph(shape.samples, {});
+  ShapeFit fit = *fit_template(moved, shape.samples, {});
+  for (int step = 0; step < 10; ++step) {
+    moved.parts[1].position.mean.y() += 0.03;
+    fit = *follow_template(moved, shape.samples, graph, fit, {});
+    const ShapeFit anew = *refit_template(moved, shape.samples, fit, {});
+    CHECK(fit.energy.total() <= anew.energy.total() * 1.02);
+    CHECK(fit.yaw_energies[static_cast<std::size_t>(fit.yaw_quarters)] == fit.energy.total());
+  }
+  PartTemplate fewer = moved;
+  fewer.parts.pop_back();  // labels of the old fit name a part that is gone
+  CHECK(follow_template(fewer, shape.samples, graph, fit, {})->parts.size() == fewer.parts.size());
+}
+
+TEST_CASE("what samples cost adds up to the energy that they give the fit, and tells where it is bad") {
+  const test::MadeShape shape = test::make_shape("chairs", {}, 2);
+  PartTemplate part_template = test::template_from(shape);
+  for (const int yaw : {0, 1}) {
+    FitOptions options;
+    options.yaw_costs.fill(std::numeric_limits<double>::infinity());
+    options.yaw_costs[static_cast<std::size_t>(yaw)] = 0;
+    const ShapeFit fit = *fit_template(part_template, shape.samples, options);
+    const std::vector<double> costs = sample_costs(part_template, shape.samples, fit, options);
+    REQUIRE(costs.size() == shape.samples.size());
+    double sum = 0;
+    for (const double cost : costs) sum += cost;
+    CHECK(sum / static_cast<double>(costs.size()) ==
+          doctest::Approx(fit.energy.shape_to_template + fit.energy.features).epsilon(0.01));
+    for (std::size_t i = 0; i < costs.size(); ++i)
+      if (fit.labels[i] == null_label) CHECK(costs[i] == options.null_cost);
+  }
 }
 
 TEST_CASE("fits are the same bytes on every thread") {

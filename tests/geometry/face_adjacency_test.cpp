@@ -63,3 +63,22 @@ TEST_CASE("edges of one, three and degenerate faces join nothing") {
   CHECK(find_adjacent_faces(mesh).pairs.empty());
   CHECK(find_adjacent_faces({}).pairs.empty());
 }
+
+TEST_CASE("faces with a corner at the same place are one component, numbered by their first faces") {
+  PolygonMesh mesh;
+  const auto triangle = [&](double x, double y) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const Vec3& corner : {Vec3(x, y, 0), Vec3(x + 1, y, 0), Vec3(x, y + 1, 0)})
+      mesh.vertices.push_back(corner);
+    const std::uint32_t corners[] = {first, first + 1, first + 2};
+    mesh.add_face(corners);
+  };
+  triangle(0, 0);
+  triangle(5, 0);
+  triangle(1, 0);  // has a corner of the first one, of its own
+  mesh.add_face({});
+  triangle(6, 0);
+  triangle(9, 9);
+  CHECK(face_components(mesh) == std::vector<std::uint32_t>{0, 1, 0, 2, 1, 3});
+  CHECK(face_components({}).empty());
+}

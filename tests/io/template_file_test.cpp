@@ -41,6 +41,8 @@ PartTemplate random_template(std::uint64_t seed) {
       for (double& x : part.features.stddev) x = random.uniform(1e-6, 2);
     }
     part.existence = 1 - random.uniform();
+    part.colour = i - 1;
+    if (i < 2) part.mirror = {7, i == 0 ? 0 : 2};
     if (i == 1) part.extra_json = R"({"colour":"red"})";
     result.parts.push_back(part);
   }

@@ -70,16 +70,41 @@ std::vector<Action> all_actions() {
       {"rename_active_template", [](History& h) { rename_active_template(h, "stool"); }},
       {"select_template", [](History& h) { select_template(h, 1); }},
       {"add_part", [](History& h) { add_part(h, some_box()); }},
-      {"duplicate_part", [](History& h) { duplicate_part(h, 1); }},
-      {"mirror_part", [](History& h) { mirror_part(h, 1); }},
-      {"remove_part", [](History& h) { remove_part(h, 0); }},
+      {"move_active_template", [](History& h) { move_active_template(h, 1); }},
+      {"duplicate_parts",
+       [](History& h) {
+         duplicate_parts(h, {0, 1});
+       }},
+      {"add_mirror_images",
+       [](History& h) {
+         add_mirror_images(h, {1, 0}, 0);
+       }},
+      {"link_parts", [](History& h) { link_parts(h, 0, 1, 2); }},
+      {"remove_parts",
+       [](History& h) {
+         remove_parts(h, {0, 1});
+       }},
+      {"merge_parts",
+       [](History& h) {
+         merge_parts(h, {1, 0});
+       }},
+      {"split_part", [](History& h) { split_part(h, 0, 2); }},
+      {"paste_parts", [](History& h) { paste_parts(h, {TemplatePart()}); }},
+      {"set_part_boxes",
+       [](History& h) {
+         set_part_boxes(h, {{1, some_box()}, {0, some_box()}});
+       }},
       {"rename_part", [](History& h) { rename_part(h, 0, "cushion"); }},
-      {"set_part_label", [](History& h) { set_part_label(h, 1, 7); }},
-      {"set_must_exist", [](History& h) { set_must_exist(h, 0, true); }},
+      {"set_part_label",
+       [](History& h) {
+         set_part_label(h, {1, 0}, 7);
+       }},
+      {"set_part_colour", [](History& h) { set_part_colour(h, {0}, 5); }},
+      {"set_must_exist", [](History& h) { set_must_exist(h, {0}, true); }},
       {"set_part_box", [](History& h) { set_part_box(h, 0, some_box()); }},
-      {"set_position_stddev", [](History& h) { set_position_stddev(h, 0, Vec3(0.1, 0.1, 0.1)); }},
-      {"set_scale_stddev", [](History& h) { set_scale_stddev(h, 0, Vec3(0.3, 0.1, 0.2)); }},
-      {"set_existence", [](History& h) { set_existence(h, 0, 0.5); }},
+      {"set_position_stddev", [](History& h) { set_position_stddev(h, {0}, Vec3(0.1, 0.1, 0.1)); }},
+      {"set_scale_stddev", [](History& h) { set_scale_stddev(h, {0}, Vec3(0.3, 0.1, 0.2)); }},
+      {"set_existence", [](History& h) { set_existence(h, {0}, 0.5); }},
       {"adopt_fitted_boxes", [](History& h) { adopt_fitted_boxes(h, fit_of_two_parts()); }},
       {"learn_features", [](History& h) { learn_features(h, samples_of_twelve(), fit_of_two_parts()); }},
   };
@@ -125,10 +150,10 @@ TEST_CASE("Sizes stay positive, existence stays a probability, names stay unique
   flat.half_extent = Vec3(-1, 0, 0.5);
   set_part_box(history, 0, flat);
   CHECK(active(history).parts[0].scale.mean == Vec3(min_half_extent, min_half_extent, 0.5));
-  set_existence(history, 0, -3);
+  set_existence(history, {0}, -3);
   CHECK(active(history).parts[0].existence > 0);
-  CHECK(duplicate_part(history, 1) == 2);
-  CHECK(duplicate_part(history, 2) == 3);
+  CHECK(duplicate_parts(history, {1}) == PartList{2});
+  CHECK(duplicate_parts(history, {2}) == PartList{3});
   CHECK(active(history).parts[2].name == "leg 2");
   CHECK(active(history).parts[3].name == "leg 3");
   CHECK(active(history).parts[3].label == active(history).parts[1].label);
@@ -141,7 +166,7 @@ TEST_CASE("A mirrored box is the mirror image, corner by corner") {
   Box box = some_box();
   box.orientation = Eigen::Quaterniond(0.7, 0.3, -0.5, 0.2).normalized();
   set_part_box(history, 0, box);
-  const std::size_t copy = mirror_part(history, 0);
+  const std::size_t copy = add_mirror_images(history, {0}, 0)[0];
   const Box mirrored = active(history).parts[copy].mean_box();
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 local(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
@@ -169,8 +194,8 @@ TEST_CASE("Features are the mean and spread of the samples of each part") {
 
 TEST_CASE("Actions on what is not there say so and change nothing") {
   History history = history_with_two_parts();
-  CHECK_THROWS_AS(remove_part(history, 2), PreconditionError);
-  CHECK_THROWS_AS(set_part_label(history, 0, -1), PreconditionError);
+  CHECK_THROWS_AS(remove_parts(history, {2}), PreconditionError);
+  CHECK_THROWS_AS(set_part_label(history, {0}, -1), PreconditionError);
   CHECK_THROWS_AS(select_template(history, 5), PreconditionError);
   CHECK_THROWS_AS(adopt_fitted_boxes(history, {}), PreconditionError);
   CHECK(history.entries().size() == 1);
@@ -186,11 +211,13 @@ TEST_CASE("Whatever numbers are wanted, the template can be written to a file") 
     const Vec3 wanted(0.5, number, 0.5);
     Box box{wanted, wanted, Eigen::Quaterniond(number, 0, 0, 1)};
     set_part_box(history, 0, box);
-    set_position_stddev(history, 0, wanted);
-    set_scale_stddev(history, 0, wanted);
-    set_existence(history, 0, number);
-    duplicate_part(history, 0);
-    mirror_part(history, 0);
+    set_position_stddev(history, {0}, wanted);
+    set_scale_stddev(history, {0}, wanted);
+    set_existence(history, {0}, number);
+    duplicate_parts(history, {0});
+    add_mirror_images(history, {0}, 0);
+    split_part(history, 0, 1);
+    merge_parts(history, {0, 1, 2});
     add_part(history, box);
     CHECK_NOTHROW(format_template(active(history)));
   }
@@ -202,7 +229,7 @@ TEST_CASE("A template takes as many parts as a file does") {
   CHECK_NOTHROW(format_template(active(history)));
   const Document full = history.current();
   CHECK_THROWS_WITH_AS(add_part(history, some_box()), "a template has at most 256 parts", Error);
-  CHECK_THROWS_AS(duplicate_part(history, 0), Error);
-  CHECK_THROWS_AS(mirror_part(history, 0), Error);
+  CHECK_THROWS_AS(duplicate_parts(history, {0}), Error);
+  CHECK_THROWS_AS(add_mirror_images(history, {0}, 0), Error);
   CHECK(history.current() == full);
 }

@@ -47,7 +47,11 @@ struct Edit {
 const Edit edits[] = {
     {"add", [](TestWindow& w) { w.click("command:add-part"); }},
     {"copy", [](TestWindow& w) { w.click("command:duplicate-part"); }},
-    {"mirror", [](TestWindow& w) { w.click("command:mirror-part"); }},
+    {"mirror",
+     [](TestWindow& w) {
+       w.click("part:leg");
+       w.click("command:mirror-part");
+     }},
     {"delete by key", [](TestWindow& w) { w.key("Delete"); }},
     {"must exist", [](TestWindow& w) { w.click("field:Must exist"); }},
     {"drag a coordinate", [](TestWindow& w) { w.drag("field:Centre.y", 60, 0); }},

@@ -200,7 +200,10 @@ TEST_CASE("each handle is found where it is drawn, and nothing far from all") {
   view.camera.distance = 6;
   for (const BoxTool tool : {BoxTool::move, BoxTool::scale, BoxTool::rotate}) {
     const auto shapes = handle_shapes(box, tool, view);
-    CHECK(shapes.size() == (tool == BoxTool::move ? 13 : tool == BoxTool::scale ? 26 : 3));
+    if (tool == BoxTool::move)
+      CHECK(shapes.size() > 13 + 9);  // without those on the far side, and one or two below arrows
+    else
+      CHECK(shapes.size() == (tool == BoxTool::scale ? 26 : 3));
     for (const HandleShape& shape : shapes) {
       glm::dvec2 at = shape.points[0];
       if (shape.form == HandleForm::square) at = 0.5 * (shape.points[0] + shape.points[2]);

@@ -135,7 +135,7 @@ TEST_CASE("The picture in the viewport is that of the template that is looked at
   window.click("command:stop-looking");
   ImGui::GetIO().MousePos = {1, 1};
   window.settle();
-  const auto drawn = [&] { return window.studio().viewport.drawn; };
+  const auto drawn = [&] { return window.studio().viewport.pane().drawn; };
   CHECK_FALSE(drawn()->looked_at);
   window.click("learned:0:1");
   window.settle();

@@ -31,8 +31,8 @@ std::shared_ptr<const ViewFit> shown_at(const LiveFitRequest& request, int yaw) 
   FitOptions options;
   options.yaw_costs.fill(std::numeric_limits<double>::infinity());
   options.yaw_costs[static_cast<std::size_t>(yaw)] = 0;
-  return std::make_shared<const ViewFit>(
-      ViewFit{request.part_template, *fit_template(*request.part_template, *request.samples, options), {}});
+  return std::make_shared<const ViewFit>(ViewFit{
+      request.part_template, *fit_template(*request.part_template, *request.samples, options), {}, {}, {}});
 }
 
 }  // namespace

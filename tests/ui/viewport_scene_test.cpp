@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/convert.h"
+#include "ui/heat_map.h"
 
 using namespace archetype;
 
@@ -149,4 +150,49 @@ TEST_CASE("a large mesh is drawn coarser while something moves, with the same co
   CHECK(make_viewport_scene(content).meshes[0].geometry == content.display.mesh);
   content.moving = true;
   CHECK(make_viewport_scene(content).meshes[0].geometry == content.display.coarse);
+}
+
+TEST_CASE("the spread is an ellipsoid for the position and two dashed lines an axis for the size") {
+  PartTemplate one;
+  TemplatePart part;
+  part.position = {Vec3(1, 2, 3), Vec3(0.1, 0.2, 0.3)};
+  part.scale = {Vec3(0.5, 0.6, 0.7), Vec3(0.1, 0.2, 0.9)};
+  one.parts.push_back(part);
+  ViewportContent content;
+  content.part_template = &one;
+  CHECK(make_viewport_scene(content).ellipsoids.empty());
+  content.view.spread = true;
+  const Scene scene = make_viewport_scene(content);
+  REQUIRE(scene.ellipsoids.size() == 1);
+  CHECK(scene.ellipsoids[0].axes.centre == part.position.mean);
+  CHECK(scene.ellipsoids[0].axes.half_extent == part.position.stddev);
+  REQUIRE(scene.lines.size() == 6);
+  for (const SceneLine& line : scene.lines) CHECK(line.dash > 0);
+  CHECK(scene.lines[1].from.x == doctest::Approx(1.4));
+  CHECK(scene.lines[1].to.x == doctest::Approx(1.6));
+  CHECK(scene.lines[5].from.z == doctest::Approx(3));  // not beyond the centre
+  CHECK(scene.lines[5].to.z == doctest::Approx(4.6));
+}
+
+TEST_CASE("as a heat map faces and samples take the colours of their costs, the dearer the lighter") {
+  const PartTemplate parts = two_parts();
+  ViewFit fit = fit_of(parts, 0);
+  fit.sample_costs = {0.1, 0.9, 5};
+  fit.element_costs = {0.5F};
+  ViewportContent content;
+  content.fit = &fit;
+  content.display = one_triangle();
+  content.view.colour = SurfaceColour::cost;
+  content.colours = colours_of_fit(fit, content.display, SurfaceColour::cost);
+  CHECK((*content.colours.elements)[0] == heat_colour(0.5));
+  CHECK((*content.colours.samples)[2] == heat_colour(1));
+  const Scene scene = make_viewport_scene(content);
+  CHECK(scene.meshes[0].face_colours == content.colours.elements);
+  REQUIRE(scene.points.size() == 1);  // one large face tells less than its three samples
+  CHECK(scene.points[0].colours == content.colours.samples);
+  fit.element_costs = {0.5F, 0.5F};  // of another shape
+  CHECK_FALSE(colours_of_fit(fit, content.display, SurfaceColour::cost).elements);
+  const auto lightness = [](const Rgb& c) { return 0.3 * c[0] + 0.59 * c[1] + 0.11 * c[2]; };
+  for (int i = 0; i < 20; ++i)
+    CHECK(lightness(heat_colour((i + 1) / 20.0)) > lightness(heat_colour(i / 20.0)));
 }

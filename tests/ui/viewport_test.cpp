@@ -1,120 +1,20 @@
 // The viewport through Dear ImGui's own hit testing: the mouse is set, frames are drawn, the document is
 // compared.
-#include "ui/viewport.h"
-
 #include <doctest/doctest.h>
 
 #include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/session/actions.h"
-#include "render/convert.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/ui/viewport_window.h"
 #include "ui/command.h"
-#include "ui/headless_window.h"
+#include "ui/selection.h"
 
 using namespace archetype;
+using namespace archetype::test;
 
 namespace {
 
-PartTemplate two_boxes() {
-  PartTemplate boxes;
-  boxes.name = "two";
-  for (const double x : {-0.7, 0.7}) {
-    TemplatePart part;
-    part.name = x < 0 ? "left" : "right";
-    part.position.mean = Vec3(x, 0, 0);
-    part.scale.mean = Vec3(0.4, 0.5, 0.3);
-    boxes.parts.push_back(part);
-  }
-  return boxes;
-}
-
-// A window with two boxes, seen from three quarters.
-struct Window {
-  test::ScratchFolder folder;
-  HeadlessWindow window{1200, 800, 1, options()};
-  Studio& studio = window.studio();
-  ViewportState& state = studio.viewport;
-  ImGuiIO& io = ImGui::GetIO();
-
-  Window() {
-    add_template(studio.history, two_boxes(), "Two boxes");
-    io.MousePos = {-1, -1};
-    state.camera.distance = 6;
-    frames(2);
-  }
-
-  StudioOptions options() const {
-    StudioOptions result;
-    const auto& path = folder.path();
-    result.folders = {path, path / "config", path / "data", path / "cache"};
-    result.assets = std::filesystem::path(ARCHETYPE_SOURCE_DIR) / "assets";
-    result.shaders = std::filesystem::path(ARCHETYPE_SOURCE_DIR) / "shaders";
-    result.furniture = path / "none";
-    return result;
-  }
-
-  void frames(int count) {
-    for (int i = 0; i < count; ++i) window.frame();
-  }
-  Target area() const {
-    for (const Target& target : studio.targets)
-      if (target.name == "viewport") return target;
-    FAIL("the viewport was not drawn");
-    return {};
-  }
-  GizmoView view() const {
-    const Target t = area();
-    return {state.camera,
-            {static_cast<int>(t.high_x - t.low_x), static_cast<int>(t.high_y - t.low_y)},
-            static_cast<double>(studio.fonts.scale)};
-  }
-  glm::dvec2 pixel_of(const Vec3& place) const {
-    const GizmoView v = view();
-    return *to_screen(v.camera, v.viewport, to_glm(place));
-  }
-  void move_to(const glm::dvec2& pixel) {
-    const Target t = area();
-    // Dear ImGui rounds to whole pixels.
-    io.MousePos = {t.low_x + static_cast<float>(pixel.x), t.low_y + static_cast<float>(pixel.y)};
-    frames(2);
-  }
-  void press(const glm::dvec2& pixel, int button = 0) {
-    move_to(pixel);
-    io.MouseDown[button] = true;
-    frames(1);
-  }
-  void release(int button = 0) {
-    io.MouseDown[button] = false;
-    frames(1);
-  }
-  void click(const glm::dvec2& pixel) {
-    press(pixel);
-    release();
-  }
-  void drag(const glm::dvec2& from, const glm::dvec2& to, int button = 0) {
-    press(from, button);
-    for (const double t : {0.3, 0.6, 1.0}) move_to(glm::mix(from, to, t));
-    release(button);
-  }
-  Box box(std::size_t part) const {
-    return studio.history.current().active_template()->parts[part].mean_box();
-  }
-  std::size_t steps() const { return studio.history.entries().size(); }
-  std::optional<Handle> handle_at(const glm::dvec2& pixel) {
-    move_to(pixel);
-    return state.handle;
-  }
-};
-
 constexpr std::array<int, 3> high_x{1, 0, 0};
-
-bool same(const Box& a, const Box& b, double tolerance = 1e-9) {
-  return (a.centre - b.centre).norm() < tolerance && (a.half_extent - b.half_extent).norm() < tolerance &&
-         (a.orientation.coeffs() - b.orientation.coeffs()).norm() < tolerance;
-}
 
 }  // namespace
 
@@ -259,23 +159,23 @@ TEST_CASE("only the selected box has handles: elsewhere a drag orbits, and edits
   w.studio.ui.part = 1;
   w.frames(1);
   const Document before = w.studio.history.current();
-  const Camera camera = w.state.camera;
+  const Camera camera = w.state.pane().camera;
   w.drag(w.pixel_of(w.box(0).to_world(Vec3(-1, 0, 0))), w.pixel_of(w.box(0).centre) - glm::dvec2(120, 40));
   CHECK(w.studio.history.current() == before);
-  CHECK(w.state.camera.yaw != camera.yaw);
-  CHECK(w.state.camera.target == camera.target);
+  CHECK(w.state.pane().camera.yaw != camera.yaw);
+  CHECK(w.state.pane().camera.target == camera.target);
   CHECK(w.studio.ui.part == std::size_t{1});
 }
 
 TEST_CASE("the middle button and Shift pan, so that the scene follows the cursor") {
   for (const bool shift : {false, true}) {
     Window w;
-    const Camera before = w.state.camera;
+    const Camera before = w.state.pane().camera;
     const glm::dvec2 start = w.pixel_of(to_eigen(before.target));
     w.io.KeyShift = shift;
     w.drag({60, 60}, {160, 110}, shift ? 0 : 2);
     CHECK(glm::length(w.pixel_of(to_eigen(before.target)) - start - glm::dvec2(100, 50)) < 0.5);
-    CHECK(w.state.camera.yaw == before.yaw);
+    CHECK(w.state.pane().camera.yaw == before.yaw);
   }
 }
 
@@ -284,46 +184,94 @@ TEST_CASE("the wheel zooms to the cursor") {
   const Vec3 corner = w.box(1).to_world(Vec3(1, 1, 1));
   const glm::dvec2 at = w.pixel_of(corner);
   w.move_to(at);
-  const double distance = w.state.camera.distance;
+  const double distance = w.state.pane().camera.distance;
   w.io.MouseWheel = 2;
   w.frames(2);
-  CHECK(w.state.camera.distance < 0.8 * distance);
+  CHECK(w.state.pane().camera.distance < 0.8 * distance);
   CHECK(glm::length(w.pixel_of(corner) - at) < 1);
 }
 
 TEST_CASE("views and frames that commands wish for are flown to") {
   Window w;
   run_command(w.studio, "view-right");
-  for (int i = 0; i < 1000 && (w.state.flight || i == 0); ++i) w.frames(1);
+  for (int i = 0; i < 1000 && (w.state.pane().flight || i == 0); ++i) w.frames(1);
   Camera right;
   look_from(right, ViewPreset::right);
-  CHECK(w.state.camera.yaw == right.yaw);
-  CHECK(w.state.camera.pitch == right.pitch);
+  CHECK(w.state.pane().camera.yaw == right.yaw);
+  CHECK(w.state.pane().camera.pitch == right.pitch);
   w.studio.ui.part = 0;
   run_command(w.studio, "frame");
-  for (int i = 0; i < 1000 && (w.state.flight || i == 0); ++i) w.frames(1);
-  CHECK(glm::length(w.state.camera.target - to_glm(w.box(0).centre)) < 1e-9);
+  for (int i = 0; i < 1000 && (w.state.pane().flight || i == 0); ++i) w.frames(1);
+  CHECK(glm::length(w.state.pane().camera.target - to_glm(w.box(0).centre)) < 1e-9);
 }
 
 TEST_CASE("the picture is drawn anew only when something changed") {
   Window w;
   for (int i = 0; i < 1000 && viewport_busy(w.state, w.studio.shape.shape_revision); ++i) w.frames(1);
-  CHECK(w.state.drawn_fine);
-  const auto drawn = w.state.drawn;
+  CHECK(w.state.pane().drawn_fine);
+  const auto drawn = w.state.pane().drawn;
   w.frames(3);
-  CHECK(w.state.drawn_fine);
-  CHECK(w.state.drawn == drawn);
+  CHECK(w.state.pane().drawn_fine);
+  CHECK(w.state.pane().drawn == drawn);
   w.studio.ui.part = 1;
   w.frames(1);
-  CHECK_FALSE(w.state.drawn_fine);
+  CHECK_FALSE(w.state.pane().drawn_fine);
 }
 
 TEST_CASE("another way to navigate: Blender's buttons") {
   Window w;
   w.studio.settings.navigation = "blender";
-  const Camera before = w.state.camera;
+  const Camera before = w.state.pane().camera;
   w.drag({60, 60}, {160, 110}, 0);
-  CHECK(w.state.camera == before);
+  CHECK(w.state.pane().camera == before);
   w.drag({60, 60}, {160, 110}, 2);
-  CHECK(w.state.camera.yaw != before.yaw);
+  CHECK(w.state.pane().camera.yaw != before.yaw);
+}
+
+TEST_CASE("Ctrl and click selects several boxes, whose handles move them together as one step") {
+  Window w;
+  w.click(w.pixel_of(w.box(0).centre));
+  w.io.KeyCtrl = true;
+  w.click(w.pixel_of(w.box(1).centre));
+  w.io.KeyCtrl = false;
+  CHECK(selected_parts(w.studio.ui) == PartList{1, 0});
+  const std::size_t steps = w.steps();
+  const Box first = w.box(0);
+  const Box second = w.box(1);
+  const glm::dvec2 middle = w.pixel_of(0.5 * (first.centre + second.centre));
+  REQUIRE(w.handle_at(middle) == Handle{HandleKind::move_view, 0, {}});
+  w.drag(middle, middle + glm::dvec2(60, -30));
+  CHECK(w.steps() == steps + 1);
+  const Vec3 way = w.box(0).centre - first.centre;
+  CHECK(way.norm() > 0.1);
+  CHECK((w.box(1).centre - second.centre - way).norm() < 1e-9);
+  CHECK(w.box(1).half_extent == second.half_extent);
+  w.io.KeyCtrl = true;
+  w.click(w.pixel_of(w.box(1).centre + Vec3(0.25, 0, 0)));
+  w.io.KeyCtrl = false;
+  CHECK(selected_parts(w.studio.ui) == PartList{0});
+}
+
+TEST_CASE("Ctrl held while dragging snaps to the other box, and what it snaps to is shown") {
+  Window w;
+  set_part_box(w.studio.history, 1, {{0.7, 0.13, 0}, {0.4, 0.5, 0.3}, Eigen::Quaterniond::Identity()});
+  w.studio.ui.part = 1;
+  w.frames(2);
+  const Box box = w.box(1);
+  const glm::dvec2 from = w.pixel_of(box.centre);
+  REQUIRE(w.handle_at(from));
+  w.press(from);
+  w.studio.ui.drag_axis = 1;
+  const glm::dvec2 to = w.pixel_of(box.centre - Vec3(0, 0.12, 0));
+  w.move_to(to);
+  CHECK(std::abs(w.box(1).centre.y()) > 1e-6);
+  w.io.KeyCtrl = true;
+  w.frames(2);
+  CHECK(std::abs(w.box(1).centre.y()) < 1e-9);
+  REQUIRE(w.state.snapped);
+  CHECK(w.state.snapped->planes[0].name.find("left") != std::string::npos);
+  w.release();
+  w.io.KeyCtrl = false;
+  CHECK_FALSE(w.state.snapped);
+  CHECK(std::abs(w.box(1).centre.y()) < 1e-9);
 }

@@ -1,0 +1,80 @@
+// What the shape in view is drawn with: the heat map, the average of the collection behind it.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "tests/ui/test_window.h"
+
+using namespace archetype;
+using test::TestWindow;
+
+TEST_CASE("H colours the shape in view by how badly it is explained, and back") {
+  TestWindow window;
+  window.open_chairs(1);
+  window.make_template();
+  const ViewportState& state = window.studio().viewport;
+  const auto by_part = state.colours.elements;
+  const Picture before = window.window().picture();
+  window.key("H");
+  window.settle();
+  const ViewFit& fit = *window.studio().shape.fit;
+  REQUIRE(fit.element_costs.size() == window.studio().shape.mesh->face_count());
+  CHECK(*state.colours.elements != *by_part);
+  CHECK_FALSE(window.window().picture() == before);
+  const auto worst = std::ranges::max_element(fit.element_costs) - fit.element_costs.begin();
+  const auto best = std::ranges::min_element(fit.element_costs) - fit.element_costs.begin();
+  CHECK((*state.colours.elements)[static_cast<std::size_t>(worst)][0] >
+        (*state.colours.elements)[static_cast<std::size_t>(best)][0]);
+  window.key("H");
+  window.settle();
+  CHECK(*state.colours.elements == *by_part);
+}
+
+TEST_CASE("O puts the average of the collection behind the shape, turned as the shapes are fitted") {
+  TestWindow window;
+  window.open_chairs(6);
+  window.make_template();
+  const ViewportState& state = window.studio().viewport;
+  const Picture before = window.window().picture();
+  window.key("O");
+  window.settle();
+  REQUIRE(state.average);
+  CHECK(state.average->shapes == 6);
+  REQUIRE(state.average->points->positions.size() > 50);
+  CHECK(state.average->over_dark->size() == state.average->points->positions.size());
+  CHECK_FALSE(window.window().picture() == before);
+  // Chairs stand on their legs: there is something at the height of the seat, and most of it is drawn last.
+  const auto lightness = [&](std::size_t i) { return (*state.average->over_dark)[i][0]; };
+  CHECK(lightness(0) <= lightness(state.average->points->positions.size() - 1));
+  const std::uint64_t revision = state.average->revision;
+  REQUIRE(run_command(window.studio(), "fit-all"));
+  window.settle();
+  CHECK(state.average->revision != revision);  // made anew of the fits
+  window.key("O");
+  window.settle();
+  CHECK_FALSE(window.studio().ui.view.average);
+}
+
+TEST_CASE("All that shows what a template does fits into a small window, dark and light, at both scales") {
+  for (const float scale : {1.0F, 2.0F}) {
+    TestWindow window(static_cast<int>(1280 * scale), static_cast<int>(720 * scale), scale);
+    window.open_chairs(10);
+    window.make_template();
+    window.studio().ui.part = 1;
+    for (const char* command : {"theme-light", "four-views", "spread", "average", "heat-map", "strip"})
+      REQUIRE(run_command(window.studio(), command));
+    window.settle();
+    const Target* last = nullptr;
+    for (const Target& target : window.studio().targets) {
+      if (target.name.starts_with("tile:")) last = &target;
+      if (!target.name.starts_with("tile") && !target.name.starts_with("pane:")) continue;
+      CAPTURE(target.name);
+      CHECK(target.high_x <= 1280 * scale);
+      CHECK(target.high_y <= 720 * scale);
+    }
+    REQUIRE(last);  // eight of them side by side
+    CHECK(last->high_x > 600 * scale);
+    for (const char* pane : {"pane:Perspective", "pane:Top", "pane:Front", "pane:Right"})
+      CHECK(window.has(pane));
+  }
+}

@@ -1,0 +1,76 @@
+#include "ui/surface_regions.h"
+
+#include <limits>
+
+#include "core/geometry/box_points.h"
+#include "core/geometry/face_adjacency.h"
+#include "core/learning/region_box.h"
+#include "core/learning/segment_shape.h"
+
+namespace archetype {
+namespace {
+
+constexpr std::size_t enough_samples = 24;  // for the axes of a region to mean something
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+// The axes that the samples of a region suggest; those of the shape where they are few.
+Eigen::Quaterniond axes_of(const std::vector<Vec3>& points, const ShapeSamples& samples) {
+  if (points.size() < enough_samples) return Eigen::Quaterniond::Identity();
+  const double spacing = samples.radius / std::sqrt(static_cast<double>(samples.size()));
+  return fit_region_box(points, 0.1 * samples.radius, spacing).box.orientation;
+}
+
+SurfaceRegions components(const RegionRequest& request, const JobControl& control) {
+  SurfaceRegions found;
+  const ShapeSamples& samples = *request.samples;
+  const bool faces = request.mesh && !request.mesh->is_point_set();
+  const std::vector<std::uint32_t> of_face =
+      faces ? face_components(*request.mesh) : std::vector<std::uint32_t>{};
+  std::vector<std::uint32_t> region_of;  // component to region
+  std::vector<std::vector<Vec3>> points;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const std::uint32_t component = faces ? of_face[samples.faces[i]] : 0;
+    if (component >= region_of.size()) region_of.resize(component + 1, none);
+    if (region_of[component] == none) {
+      region_of[component] = static_cast<std::uint32_t>(points.size());
+      points.emplace_back();
+    }
+    points[region_of[component]].push_back(samples.points[i]);
+    found.of_sample.push_back(static_cast<std::int16_t>(region_of[component]));
+  }
+  for (const std::vector<Vec3>& region : points) {
+    if (control.stop.stop_requested()) return found;
+    found.boxes.push_back(box_around(region, axes_of(region, samples)));
+  }
+  // The samples stay inside of the surface; its corners are its extent.
+  for (std::size_t f = 0; f < of_face.size(); ++f) {
+    const std::uint32_t region = of_face[f] < region_of.size() ? region_of[of_face[f]] : none;
+    if (region == none) continue;
+    for (const std::uint32_t corner : request.mesh->face(f)) {
+      const Vec3 place[] = {samples.frame.to_normalised(request.mesh->vertices[corner])};
+      if (found.boxes[region].to_local(place[0]).cwiseAbs().maxCoeff() > 1)
+        found.boxes[region] = grown_to(found.boxes[region], place);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<SurfaceRegions> find_surface_regions(const RegionRequest& request, const JobControl& control) {
+  SurfaceRegions found;
+  if (request.kind == RegionKind::segment) {
+    std::optional<Segmentation> segments = segment_shape(*request.samples, {}, control);
+    if (!segments) return std::nullopt;
+    found.of_sample = std::move(segments->labels);
+    found.boxes = std::move(segments->boxes);
+  } else {
+    found = components(request, control);
+  }
+  if (control.stop.stop_requested()) return std::nullopt;
+  found.kind = request.kind;
+  found.shape_revision = request.shape_revision;
+  return found;
+}
+
+}  // namespace archetype

@@ -1,0 +1,143 @@
+#include "ui/view_panes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ui/studio.h"
+#include "ui/widgets.h"
+
+namespace archetype {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds flight_time{220};
+
+constexpr std::array<const char*, pane_count> pane_names{"Perspective", "Top", "Front", "Right"};
+
+ViewPreset preset_of(CameraView view) {
+  switch (view) {
+    case CameraView::front:
+      return ViewPreset::front;
+    case CameraView::back:
+      return ViewPreset::back;
+    case CameraView::left:
+      return ViewPreset::left;
+    case CameraView::right:
+      return ViewPreset::right;
+    case CameraView::top:
+      return ViewPreset::top;
+    case CameraView::bottom:
+      return ViewPreset::bottom;
+    case CameraView::home:
+      return ViewPreset::three_quarter;
+  }
+  return ViewPreset::three_quarter;
+}
+
+// Where the flight ends, or the camera stands.
+Camera aim_of(const ViewPane& pane) {
+  return pane.flight ? pane.flight->to : pane.camera;
+}
+
+void fly(ViewPane& pane, const Camera& to) {
+  pane.flight = CameraFlight{pane.camera, to, Clock::now()};
+}
+
+void frame_content(ViewPane& pane, const PlacedPane& placed, const ViewportContent& content) {
+  Camera to = aim_of(pane);
+  const auto room = extent_to_frame(content);
+  if (!room) return;
+  frame(to, placed.viewport(), room->first, room->second);
+  fly(pane, to);
+}
+
+}  // namespace
+
+ViewPanes make_panes() {
+  ViewPanes panes;
+  const std::array presets{ViewPreset::three_quarter, ViewPreset::top, ViewPreset::front, ViewPreset::right};
+  for (std::size_t i = 1; i < panes.size(); ++i) {
+    look_from(panes[i].camera, presets[i]);
+    panes[i].camera.orthographic = true;
+  }
+  return panes;
+}
+
+std::vector<PlacedPane> place_panes(const Studio& studio, ImVec2 origin, ImVec2 size) {
+  if (size.x < 8 || size.y < 8) return {};
+  if (!studio.ui.view.four_views) return {{studio.viewport.current, origin, size}};
+  const float gap = std::max(1.0F, std::round(2 * studio.fonts.scale));
+  const ImVec2 left_upper(std::floor((size.x - gap) / 2), std::floor((size.y - gap) / 2));
+  const ImVec2 right_lower(size.x - gap - left_upper.x, size.y - gap - left_upper.y);
+  const float x = origin.x + left_upper.x + gap;
+  const float y = origin.y + left_upper.y + gap;
+  const auto index = [](PaneKind kind) { return static_cast<std::size_t>(kind); };
+  return {{index(PaneKind::top), origin, left_upper},
+          {index(PaneKind::perspective), {x, origin.y}, {right_lower.x, left_upper.y}},
+          {index(PaneKind::front), {origin.x, y}, {left_upper.x, right_lower.y}},
+          {index(PaneKind::right), {x, y}, right_lower}};
+}
+
+void take_wishes(Studio& studio, const ViewportContent& content, const std::vector<PlacedPane>& placed) {
+  ViewportState& state = studio.viewport;
+  state.panes[0].camera.orthographic = studio.ui.view.orthographic;
+  const auto wanted = std::exchange(studio.ui.wanted_view, std::nullopt);
+  const bool frames = std::exchange(studio.ui.wanted_frame, false) || wanted == CameraView::home;
+  if (wanted) {
+    Camera to = aim_of(state.panes[0]);
+    look_from(to, preset_of(*wanted));
+    fly(state.panes[0], to);
+  }
+  if (!frames) return;
+  ViewportContent all = content;
+  if (wanted == CameraView::home) all.selected.reset();
+  for (const PlacedPane& pane : placed) frame_content(state.panes[pane.index], pane, all);
+}
+
+void follow_flight(Studio& studio, const ViewportContent& content, const PlacedPane& placed) {
+  ViewPane& pane = studio.viewport.panes[placed.index];
+  const auto extent = extent_to_frame(content);
+  if (!pane.framed && extent && studio.viewport.display.shape_revision != 0) {
+    frame(pane.camera, placed.viewport(), extent->first, extent->second);
+    pane.framed = true;
+  }
+  if (!pane.flight) return;
+  const bool orthographic = pane.camera.orthographic;
+  const double t = std::chrono::duration<double>(Clock::now() - pane.flight->start) / flight_time;
+  const double eased = t >= 1 ? 1 : t * t * (3 - 2 * t);
+  pane.flight->to.orthographic = orthographic;
+  pane.camera = blend(pane.flight->from, pane.flight->to, eased);
+  pane.camera.orthographic = orthographic;
+  if (t >= 1) pane.flight.reset();
+}
+
+void draw_pane_title(Studio& studio, const PlacedPane& placed) {
+  const float scale = studio.fonts.scale;
+  bool& four = studio.ui.view.four_views;
+  const char* name = pane_names[placed.index];
+  ImGui::PushFont(studio.fonts.small);
+  const ImVec2 text = ImGui::CalcTextSize(name);
+  const ImVec2 size(text.x + 12 * scale, text.y + 5 * scale);
+  const ImVec2 low(placed.origin.x + placed.size.x - size.x - 6 * scale, placed.origin.y + 6 * scale);
+  ImGui::SetCursorScreenPos(low);
+  ImGui::PushID(name);
+  const bool clicked = ImGui::InvisibleButton("title", size);
+  ImGui::PopID();
+  mark_target(studio, std::string("pane:") + name);
+  const bool hovered = ImGui::IsItemHovered();
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const ImVec4 back = hovered ? colours(studio).hovered : colours(studio).panel;
+  draw->AddRectFilled(low, {low.x + size.x, low.y + size.y},
+                      ImGui::GetColorU32({back.x, back.y, back.z, hovered ? 0.95F : 0.6F}), 4 * scale);
+  draw->AddText({low.x + 6 * scale, low.y + 2.5F * scale},
+                ImGui::GetColorU32(hovered ? colours(studio).text : colours(studio).muted), name);
+  ImGui::PopFont();
+  if (hovered) tooltip(four ? "Make this view large (4)" : "Perspective, top, front and right at once (4)");
+  if (!clicked) return;
+  four = !four;
+  studio.viewport.current = placed.index;
+}
+
+}  // namespace archetype

@@ -1,0 +1,81 @@
+// The views of the viewport: in perspective, from above, from the front and from the right; all four at once
+// or one of them large. Each has a camera and a picture of its own.
+#pragma once
+
+#include <imgui.h>
+#include <array>
+#include <chrono>
+#include <optional>
+#include <vector>
+
+#include "render/camera.h"
+#include "render/renderer.h"
+#include "ui/ui_state.h"
+
+namespace archetype {
+
+struct Studio;
+struct ViewportContent;
+
+// A move of the camera that the eye can follow.
+struct CameraFlight {
+  Camera from;
+  Camera to;
+  std::chrono::steady_clock::time_point start;
+};
+
+// Everything that the picture depends on: while it stays, nothing is drawn anew.
+struct PictureKey {
+  Camera camera;
+  PictureSize size;
+  ViewOptions view;
+  Backdrop backdrop = Backdrop::dark;
+  bool coarse = false;
+  std::uint64_t document_revision = 0;
+  std::shared_ptr<const PartTemplate> looked_at;
+  std::shared_ptr<const PartTemplate> compared;
+  std::uint64_t fit_revision = 0;
+  std::uint64_t display_revision = 0;
+  std::shared_ptr<const PointGeometry> average;
+  std::vector<std::size_t> selected;
+  std::optional<std::size_t> hovered;
+  friend bool operator==(const PictureKey&, const PictureKey&) = default;
+};
+
+enum class PaneKind { perspective, top, front, right };
+inline constexpr std::size_t pane_count = 4;  // in the order of PaneKind
+
+struct ViewPane {
+  Camera camera;
+  bool framed = false;  // the first shape has been brought into the picture
+  std::optional<CameraFlight> flight;
+
+  RenderTarget target;
+  std::optional<PictureKey> drawn;  // what the target shows
+  bool drawn_fine = false;
+  std::chrono::steady_clock::time_point changed_at{};  // when the picture changed last
+};
+
+using ViewPanes = std::array<ViewPane, pane_count>;
+// The flat ones look along their axes for good: only the one in perspective turns.
+ViewPanes make_panes();
+
+// Where a pane stands in this frame, screen units.
+struct PlacedPane {
+  std::size_t index = 0;
+  ImVec2 origin;
+  ImVec2 size;
+  Viewport viewport() const { return {static_cast<int>(size.x), static_cast<int>(size.y)}; }
+};
+// All four, or the current one; nothing where there is no room.
+std::vector<PlacedPane> place_panes(const Studio& studio, ImVec2 origin, ImVec2 size);
+
+// Hands what commands wish for to the panes; once a frame.
+void take_wishes(Studio& studio, const ViewportContent& content, const std::vector<PlacedPane>& placed);
+// Moves the camera of a pane on, and brings the first shape into its picture.
+void follow_flight(Studio& studio, const ViewportContent& content, const PlacedPane& placed);
+
+// The name of the pane in its corner: a click makes it large, or shows all four again.
+void draw_pane_title(Studio& studio, const PlacedPane& placed);
+
+}  // namespace archetype
