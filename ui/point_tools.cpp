@@ -18,6 +18,7 @@ namespace {
 
 constexpr double least_drag = 5;          // pixels at scale 1; less is a click
 constexpr double pick_reach = 16;         // pixels at scale 1 from the cursor to a sample
+constexpr double same_box = 0.05;         // in units of its size
 constexpr double least_thickness = 0.03;  // of a drawn box, half of it, normalised units
 constexpr ImU32 chosen_colour = IM_COL32(255, 196, 46, 255);
 constexpr ImU32 rim_colour = IM_COL32(20, 22, 26, 200);
@@ -89,6 +90,15 @@ void add_box(Studio& studio, Box box) {
   box.half_extent = box.half_extent.cwiseMax(least_thickness);
   select_only(studio.ui, add_part(studio.history, box));
   note_made_on_shape(studio);
+}
+
+// A region that has its box already is not given another one by a second click: it is selected.
+void add_box_once(Studio& studio, const Box& box) {
+  const std::vector<TemplatePart>& parts = studio.history.current().active_template()->parts;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (box_distance(parts[i].mean_box(), box) < same_box * box.half_extent.norm())
+      return select_only(studio.ui, i);
+  add_box(studio, box);
 }
 
 void draw_box(Studio& studio, const std::vector<glm::dvec2>& outline, const GizmoView& view) {
@@ -226,7 +236,7 @@ bool follow_point_tool(Studio& studio, const MouseInput& mouse, const GizmoView&
     const bool clicked = mouse.released && studio.viewport.action == MouseAction::click;
     if (!clicked || !state.hovered) return false;
     studio.viewport.action = MouseAction::none;
-    add_box(studio, to_scene(studio, state.regions->boxes[*state.hovered]));
+    add_box_once(studio, to_scene(studio, state.regions->boxes[*state.hovered]));
     return true;
   }
   const bool free = studio.viewport.action == MouseAction::none;

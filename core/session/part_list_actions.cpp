@@ -12,7 +12,7 @@
 namespace archetype {
 namespace {
 
-constexpr double own_image = 1e-3;  // a part nearer to its mirror image than this is it, normalised units
+constexpr double own_image = 0.03;  // a part nearer to its mirror image than this is it, in units of its size
 
 // Puts them at a place of the list with free names; without links, as what they came from may be linked
 // elsewhere.
@@ -153,7 +153,7 @@ PartList add_mirror_images(History& history, const PartList& parts, int axis) {
   PartList originals;
   for (const std::size_t part : checked_parts(changed, parts)) {
     const Box box = changed.parts[part].mean_box();
-    const bool own = box_distance(box, mirrored(box, axis)) < own_image;
+    const bool own = box_distance(box, mirrored(box, axis)) < own_image * box.half_extent.norm();
     if (!own && !mirror_partner(changed, part)) originals.push_back(part);
   }
   if (originals.empty())

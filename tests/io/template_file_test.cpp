@@ -121,3 +121,16 @@ TEST_CASE("very many keys below an unknown one are kept in a time that grows wit
   CHECK(parse_template(format_template(before), "t.json") == before);
   CHECK(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC < 10);  // quadratic: minutes
 }
+
+TEST_CASE("a link or colour that is none is refused with its place") {
+  const auto with = [](const std::string& key) {
+    return R"({"format":"archetype-template","version":1,"name":"t","parts":[{"name":"p",)" + key +
+           R"(,"position":{"mean":[0,0,0]},"scale":{"mean":[1,1,1]}}]})";
+  };
+  CHECK(parse_template(with(R"("mirror_link":{"pair":3,"axis":"z"})"), "t").parts[0].mirror ==
+        MirrorLink{3, 2});
+  for (const char* key : {R"("mirror_link":{"pair":0,"axis":"x"})", R"("mirror_link":{"pair":1,"axis":"y"})",
+                          R"("mirror_link":{"pair":1})", R"("mirror_link":1)", R"("palette_colour":-1)",
+                          R"("palette_colour":21)"})
+    CHECK_THROWS_AS(parse_template(with(key), "t"), InputError);
+}
