@@ -8,6 +8,7 @@
 
 #include "core/model/part_colours.h"
 #include "core/session/actions.h"
+#include "ui/selection.h"
 #include "ui/studio.h"
 
 namespace archetype {
@@ -25,9 +26,9 @@ const TemplatePart* part_with_dots(const Studio& studio) {
 
 void set_stddev(Studio& studio, const SpreadDrag& drag, const Vec3& stddev, Stage stage) {
   if (drag.handle.of == SpreadHandle::Of::position)
-    set_position_stddev(studio.history, {*studio.ui.part}, stddev, stage);
+    set_position_stddev(studio.history, selected_parts(studio.ui), stddev, stage);
   else
-    set_scale_stddev(studio.history, {*studio.ui.part}, stddev, stage);
+    set_scale_stddev(studio.history, selected_parts(studio.ui), stddev, stage);
 }
 
 void drop(Studio& studio) {

@@ -215,7 +215,13 @@ TEST_CASE("Whatever numbers are wanted, the template can be written to a file") 
     set_scale_stddev(history, {0}, wanted);
     set_existence(history, {0}, number);
     duplicate_parts(history, {0});
-    add_mirror_images(history, {0}, 0);
+    try {
+      add_mirror_images(history, {0}, 0);
+    } catch (const Error&) {
+      // What is as large as can be is nearly its own mirror image.
+      CHECK(active(history).parts[0].scale.mean.maxCoeff() > 1e3);
+      add_part(history, box);
+    }
     split_part(history, 0, 1);
     merge_parts(history, {0, 1, 2});
     add_part(history, box);
