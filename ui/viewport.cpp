@@ -169,6 +169,8 @@ void draw_overlay(Studio& studio, const PlacedPane& placed, const GizmoView& vie
     draw_part_names(draw, origin, *shown, studio.ui.part, view);
   const auto of_mouse = state.drag ? std::optional(state.drag->handle) : state.handle;
   const auto highlighted = placed.index == state.current ? of_mouse : std::nullopt;
+  const std::vector<PlacedPart> selected = selected_boxes(studio);
+  if (selected.size() > 1 && !shapes.empty()) draw_box_edges(draw, origin, *held_box(selected), view);
   draw_handles(draw, origin, shapes, highlighted, view.scale);
   if (state.snapped) draw_snapped(draw, origin, *state.snapped, view);
   if (placed.index == state.current) {

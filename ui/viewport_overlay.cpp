@@ -126,6 +126,24 @@ void draw_handles(ImDrawList& draw, ImVec2 origin, const std::vector<HandleShape
     draw_handle(draw, origin, shape, highlighted == shape.handle, static_cast<float>(scale));
 }
 
+void draw_box_edges(ImDrawList& draw, ImVec2 origin, const Box& box, const GizmoView& view) {
+  const auto scale = static_cast<float>(view.scale);
+  std::array<std::optional<glm::dvec2>, 8> corners;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 local((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1);
+    corners[static_cast<std::size_t>(corner)] =
+        to_screen(view.camera, view.viewport, to_glm(box.to_world(local)));
+  }
+  for (std::size_t from = 0; from < 8; ++from) {
+    for (const std::size_t side : {1U, 2U, 4U}) {
+      const std::size_t to = from | side;
+      if (to == from || !corners[from] || !corners[to]) continue;
+      draw.AddLine(at(origin, *corners[from]), at(origin, *corners[to]), dark_rim, 2.6F * scale);
+      draw.AddLine(at(origin, *corners[from]), at(origin, *corners[to]), white, 1.2F * scale);
+    }
+  }
+}
+
 void draw_part_names(ImDrawList& draw, ImVec2 origin, const PartTemplate& part_template,
                      std::optional<std::size_t> selected, const GizmoView& view) {
   std::vector<NameTag> tags;

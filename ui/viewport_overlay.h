@@ -15,6 +15,8 @@ namespace archetype {
 // there.
 void draw_handles(ImDrawList& draw, ImVec2 origin, const std::vector<HandleShape>& shapes,
                   const std::optional<Handle>& highlighted, double scale);
+// The edges of the box that the handles of several parts are about.
+void draw_box_edges(ImDrawList& draw, ImVec2 origin, const Box& box, const GizmoView& view);
 // Each name above its box; one that would lie over another's is left out, the selected part's never.
 void draw_part_names(ImDrawList& draw, ImVec2 origin, const PartTemplate& part_template,
                      std::optional<std::size_t> selected, const GizmoView& view);
