@@ -46,7 +46,8 @@ struct SplitProposal {
 // For shapes whose parts are arranged alike, for shapes that have a part that others lack, and for shapes
 // that the template would have to be stretched to as a whole. Differs from the paper, which clusters the
 // learning set by dissimilarities of the fitted shapes: a chair fits a bench badly, and where its parts have
-// come to lie on one then tells nothing.
+// come to lie on one then tells nothing. A division may be proposed twice, with a child that was stretched
+// and with one that was estimated.
 std::vector<SplitProposal> split_proposals(const LearnedTemplate& parent, const TemplateMembers& members,
                                            const LearnOptions& options);
 

@@ -11,11 +11,7 @@ using namespace archetype::test;
 
 namespace {
 
-void add_chairs(std::vector<ShapeSamples>& shapes, const std::string& style, std::size_t count) {
-  GenerateOptions options;
-  options.styles = {style};
-  for (std::size_t i = 0; i < count; ++i) shapes.push_back(make_shape("chairs", options, i, 250).samples);
-}
+constexpr int points = 250;  // of each shape
 
 // Rounds until nothing is kept; the energy never rises.
 std::vector<LearnedTemplate> learn(const PartTemplate& start, const std::vector<ShapeSamples>& shapes,
@@ -36,7 +32,7 @@ std::vector<LearnedTemplate> learn(const PartTemplate& start, const std::vector<
 
 TEST_CASE("a template that stands askew moves to where the shapes are") {
   std::vector<ShapeSamples> shapes;
-  add_chairs(shapes, "plain", 8);
+  add_chairs(shapes, "plain", 8, points);
   PartTemplate start = chair_template();
   for (TemplatePart& part : start.parts) part.scale.mean *= 1.3;
   const auto learned = learn(start, shapes);
@@ -57,8 +53,8 @@ TEST_CASE("a template that stands askew moves to where the shapes are") {
 
 TEST_CASE("benches part from chairs, with the same bytes for any number of threads") {
   std::vector<ShapeSamples> shapes;
-  add_chairs(shapes, "plain", 8);
-  add_chairs(shapes, "bench", 8);
+  add_chairs(shapes, "plain", 8, points);
+  add_chairs(shapes, "bench", 8, points);
   const auto learned = learn(chair_template(), shapes);
   REQUIRE(learned.size() >= 2);
   CHECK(learned[0].part_template.name != learned[1].part_template.name);
@@ -69,7 +65,7 @@ TEST_CASE("benches part from chairs, with the same bytes for any number of threa
 
 TEST_CASE("a cancelled round gives nothing") {
   std::vector<ShapeSamples> shapes;
-  add_chairs(shapes, "plain", 3);
+  add_chairs(shapes, "plain", 3, points);
   std::stop_source source;
   source.request_stop();
   const LearnedTemplate start{chair_template(), chair_template()};

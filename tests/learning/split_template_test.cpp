@@ -12,11 +12,7 @@ using namespace archetype::test;
 
 namespace {
 
-void add_chairs(std::vector<ShapeSamples>& shapes, const std::string& style, std::size_t count) {
-  GenerateOptions options;
-  options.styles = {style};
-  for (std::size_t i = 0; i < count; ++i) shapes.push_back(make_shape("chairs", options, i, 300).samples);
-}
+constexpr int points = 300;  // of each shape
 
 struct Case {
   std::vector<ShapeSamples> shapes;
@@ -35,8 +31,8 @@ struct Case {
 
 TEST_CASE("benches get a template of their own, and no chair takes it") {
   Case given;
-  add_chairs(given.shapes, "plain", 6);
-  add_chairs(given.shapes, "bench", 6);
+  add_chairs(given.shapes, "plain", 6, points);
+  add_chairs(given.shapes, "bench", 6, points);
   std::optional<TemplateSplit> split;
   REQUIRE(split_template(given.parent, given.members(), {}, {}, 2, {}, split));
   REQUIRE(split);
@@ -50,10 +46,10 @@ TEST_CASE("benches get a template of their own, and no chair takes it") {
   CHECK(benches.parts.size() == chairs.parts.size());
 }
 
-TEST_CASE("proposals are divisions that leave enough on both sides, each once") {
+TEST_CASE("proposals are divisions that leave enough on both sides, once with each kind of child") {
   Case given;
-  add_chairs(given.shapes, "plain", 6);
-  add_chairs(given.shapes, "bench", 6);
+  add_chairs(given.shapes, "plain", 6, points);
+  add_chairs(given.shapes, "bench", 6, points);
   const auto proposals = split_proposals(given.parent, given.members(), {});
   REQUIRE_FALSE(proposals.empty());
   for (const SplitProposal& each : proposals) {
@@ -61,20 +57,25 @@ TEST_CASE("proposals are divisions that leave enough on both sides, each once") 
     CHECK(taken >= 3);
     CHECK(taken <= 9);
   }
+  // The same division may begin with a child that was stretched, and with one that was estimated.
   for (std::size_t a = 0; a < proposals.size(); ++a) {
+    std::vector<bool> flipped = proposals[a].to_child;
+    flipped.flip();
+    const auto same = std::ranges::count_if(proposals, [&](const SplitProposal& other) {
+      return other.to_child == proposals[a].to_child || other.to_child == flipped;
+    });
+    CHECK(same <= 2);
     for (std::size_t b = a + 1; b < proposals.size(); ++b) {
-      CHECK(proposals[a].to_child != proposals[b].to_child);
-      std::vector<bool> other = proposals[b].to_child;
-      other.flip();
-      CHECK(proposals[a].to_child != other);
+      if (proposals[b].to_child == proposals[a].to_child)
+        CHECK_FALSE(proposals[b].child.part_template == proposals[a].child.part_template);
     }
   }
 }
 
 TEST_CASE("a division that is cancelled says so") {
   Case given;
-  add_chairs(given.shapes, "plain", 6);
-  add_chairs(given.shapes, "bench", 6);
+  add_chairs(given.shapes, "plain", 6, points);
+  add_chairs(given.shapes, "bench", 6, points);
   const TemplateMembers members = given.members();
   std::stop_source source;
   source.request_stop();

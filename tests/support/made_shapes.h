@@ -26,6 +26,14 @@ inline MadeShape make_shape(const std::string& family, const GenerateOptions& op
   return shape;
 }
 
+// Adds the samples of the first `count` chairs of a style.
+inline void add_chairs(std::vector<ShapeSamples>& shapes, const std::string& style, std::size_t count,
+                       int points) {
+  GenerateOptions options;
+  options.styles = {style};
+  for (std::size_t i = 0; i < count; ++i) shapes.push_back(make_shape("chairs", options, i, points).samples);
+}
+
 // One box per connected run of a label: faces of one label that share vertices.
 PartTemplate template_from(const MadeShape& shape);
 
