@@ -1,4 +1,7 @@
 // The menu Template: whole templates.
+#include <algorithm>
+#include <utility>
+
 #include "core/base/error.h"
 #include "core/io/template_file.h"
 #include "core/session/actions.h"
@@ -39,11 +42,14 @@ void load_command(Studio& studio, Arguments arguments) {
 }
 
 void save_command(Studio& studio, Arguments arguments) {
-  if (arguments.empty())
-    browse(studio,
-           {.command = "save-template", .title = "Save the template as", .saving = true, .ending = ".json"});
-  else
-    save_template(studio, text_argument(arguments, 0, "a path"));
+  if (!arguments.empty()) return save_template(studio, text_argument(arguments, 0, "a path"));
+  std::string name = studio.history.committed().active_template()->name;
+  std::replace(name.begin(), name.end(), '/', '_');
+  browse(studio, {.command = "save-template",
+                  .title = "Save the template as",
+                  .saving = true,
+                  .ending = ".json",
+                  .proposed = std::move(name)});
 }
 
 void rename_command(Studio& studio, Arguments arguments) {

@@ -139,8 +139,9 @@ void draw_buttons(Studio& studio) {
   const float width = 96 * studio.fonts.scale;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * (width + ImGui::GetStyle().ItemSpacing.x));
   const char* hint = state.wanted.folders_only ? "this folder, or a path" : "name or path";
-  const bool entered =
-      ImGui::InputTextWithHint("##typed", hint, &state.typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (saving && ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  const ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll;
+  const bool entered = ImGui::InputTextWithHint("##typed", hint, &state.typed, flags);
   if (ImGui::IsItemEdited()) state.asked_to_replace = false;
   mark_target(studio, "browser:typed");
   ImGui::SameLine();
@@ -163,6 +164,7 @@ void browse(Studio& studio, const BrowseFor& wanted) {
   state = {};
   state.wanted = wanted;
   state.open = state.newly_open = true;
+  state.typed = wanted.proposed;
   std::error_code none;
   const fs::path last = studio.settings.last_folder;
   go_to(studio, fs::is_directory(last, none) ? last : studio.options.folders.home);

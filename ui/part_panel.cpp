@@ -58,7 +58,7 @@ void name_row(Studio& studio, std::size_t part, const TemplatePart& shown) {
   row_label(studio, "Name", nullptr);
   std::string name = shown.name;
   ImGui::SetNextItemWidth(-1);
-  ImGui::InputText("##name", &name);
+  ImGui::InputText("##name", &name, ImGuiInputTextFlags_AutoSelectAll);
   mark_target(studio, "field:Name");
   const bool renamed = ImGui::IsItemDeactivatedAfterEdit() && !name.empty();
   if (renamed) rename_part(studio.history, part, name);
@@ -68,7 +68,7 @@ void label_row(Studio& studio, const TemplatePart& shown) {
   row_label(studio, "Label", "The number written to label files. Parts may share one: four legs, one label.");
   int label = shown.label;
   ImGui::SetNextItemWidth(86 * studio.fonts.scale);
-  const bool changed = ImGui::InputInt("##label", &label);
+  const bool changed = ImGui::InputInt("##label", &label, 1, 100, ImGuiInputTextFlags_AutoSelectAll);
   mark_target(studio, "field:Label");
   label = std::max(label, 0);
   if (ImGui::IsItemDeactivatedAfterEdit())

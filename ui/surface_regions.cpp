@@ -1,5 +1,6 @@
 #include "ui/surface_regions.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/geometry/box_points.h"
@@ -11,13 +12,26 @@ namespace archetype {
 namespace {
 
 constexpr std::size_t enough_samples = 24;  // for the axes of a region to mean something
+constexpr double alike_extents = 1.25;
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+// Where two extents are about the same, as of a square leg or back, the points do not say how the box turns
+// in their plane: it does not.
+Eigen::Quaterniond without_twist(const Box& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double a = box.half_extent[(axis + 1) % 3];
+    const double b = box.half_extent[(axis + 2) % 3];
+    if (std::max(a, b) < alike_extents * std::min(a, b))
+      return Eigen::Quaterniond::FromTwoVectors(Vec3::Unit(axis), box.orientation * Vec3::Unit(axis));
+  }
+  return box.orientation;
+}
 
 // The axes that the samples of a region suggest; those of the shape where they are few.
 Eigen::Quaterniond axes_of(const std::vector<Vec3>& points, const ShapeSamples& samples) {
   if (points.size() < enough_samples) return Eigen::Quaterniond::Identity();
   const double spacing = samples.radius / std::sqrt(static_cast<double>(samples.size()));
-  return fit_region_box(points, 0.1 * samples.radius, spacing).box.orientation;
+  return without_twist(fit_region_box(points, 0.1 * samples.radius, spacing).box);
 }
 
 SurfaceRegions components(const RegionRequest& request, const JobControl& control) {

@@ -39,9 +39,15 @@ void draw_template_menu(Studio& studio, const Document& document) {
   ImGui::SameLine();
   std::string name = document.active_template()->name;
   ImGui::SetNextItemWidth(180 * studio.fonts.scale);
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::InputText("##name", &name, ImGuiInputTextFlags_AutoSelectAll);
   mark_target(studio, "field:Template name");
-  if (ImGui::IsItemDeactivatedAfterEdit() && !name.empty()) rename_active_template(studio.history, name);
+  if (ImGui::IsItemDeactivatedAfterEdit()) {
+    if (!name.empty()) rename_active_template(studio.history, name);
+    // Else the next click, on whatever it is, would do nothing but close the menu.
+    const auto tapped = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[key], false); };
+    if (tapped(ImGuiKey_Enter) || tapped(ImGuiKey_KeyPadEnter)) ImGui::CloseCurrentPopup();
+  }
   ImGui::Separator();
   for (const char* command : {"duplicate-template", "template-up", "template-down"})
     command_menu_item(studio, *find_command(studio, command));

@@ -64,9 +64,10 @@ struct BrowseFor {
   std::string title = {};
   bool folders_only = false;
   bool saving = false;
-  bool replaces = true;     // while saving: offers to replace a file that is there
-  bool shapes = false;      // files that can be imported, and folders
-  std::string ending = {};  // ".json": only these files are shown, and it is added when saving; "" for all
+  bool replaces = true;       // while saving: offers to replace a file that is there
+  bool shapes = false;        // files that can be imported, and folders
+  std::string ending = {};    // ".json": only these files are shown, and it is added when saving; "" for all
+  std::string proposed = {};  // while saving: a name to begin with
 };
 
 struct FileBrowserState {

@@ -21,12 +21,30 @@ std::string glfw_error() {
   return text ? text : "unknown reason";
 }
 
+// A screen smaller than the window would hide its right side, where the template is.
+void fit_on_screen(GLFWwindow* window) {
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  if (!monitor) return;
+  int x = 0;
+  int y = 0;
+  int room_x = 0;
+  int room_y = 0;
+  glfwGetMonitorWorkarea(monitor, &x, &y, &room_x, &room_y);
+  int width = 0;
+  int height = 0;
+  glfwGetWindowSize(window, &width, &height);
+  if (room_x <= 0 || room_y <= 0 || (width <= room_x && height <= room_y)) return;
+  glfwSetWindowPos(window, x, y);
+  glfwSetWindowSize(window, std::min(width, room_x), std::min(height, room_y));
+}
+
 GLFWwindow* open_window(int width, int height) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "archetype-studio");
   GLFWwindow* window = glfwCreateWindow(width, height, "Archetype", nullptr, nullptr);
   if (!window)
@@ -35,6 +53,8 @@ GLFWwindow* open_window(int width, int height) {
   glfwMakeContextCurrent(window);
   glfwSwapInterval(1);
   glfwSetWindowSizeLimits(window, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  fit_on_screen(window);
+  glfwShowWindow(window);
   return window;
 }
 

@@ -173,7 +173,7 @@ TEST_CASE("Saving the project over a file that is there is refused without offer
   const fs::path there = window.scratch().write("there.archetype", "mine");
   window.key("Ctrl+Shift+S");
   REQUIRE(window.studio().ui.browser.open);
-  window.studio().ui.browser.typed = there.string();
+  window.type(there.string());  // the field has the keyboard
   window.click("browser:open");
   CHECK(window.studio().ui.browser.open);
   CHECK_FALSE(window.studio().ui.browser.asked_to_replace);
