@@ -23,7 +23,8 @@ count=$(grep -cv '^#' "$actions")
 echo "$count actions"
 test "$count" -le $most_actions
 
-# Runs inside the virtual display. The pauses are for a slow machine: no one is that slow.
+# Runs inside the virtual display. Nothing tells from outside when the window is ready: the pauses are long enough with
+# the machine to itself (RUN_SERIAL in CMakeLists.txt).
 cat > "$folder/drive.sh" <<'DRIVE'
 set -eu
 "$1" "$2" &
@@ -40,7 +41,7 @@ while read -r action first rest; do
     ctrl-click) xdotool mousemove "$first" "$rest" sleep 0.3 keydown ctrl sleep 0.2 click 1 sleep 0.2 keyup ctrl ;;
     *) echo "unknown action: $action" >&2; exit 1 ;;
   esac
-  sleep 0.6
+  sleep 1
 done < "$3"
 sleep 1
 xdotool key ctrl+q
