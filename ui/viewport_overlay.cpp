@@ -88,6 +88,12 @@ bool overlap(const NameTag& a, const NameTag& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
+// Corners are numbered by their sides: bits 0, 1 and 2 for x, y and z of the box.
+std::optional<glm::dvec2> corner_on_screen(const Box& box, int corner, const GizmoView& view) {
+  const Vec3 local((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1);
+  return to_screen(view.camera, view.viewport, to_glm(box.to_world(local)));
+}
+
 // Above the corner of the box that is highest on the screen.
 std::optional<NameTag> place_name(const TemplatePart& part, std::size_t index, ImVec2 origin,
                                   const GizmoView& view) {
@@ -96,8 +102,7 @@ std::optional<NameTag> place_name(const TemplatePart& part, std::size_t index, I
   double left = 0;
   double right = 0;
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 local((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1);
-    const auto pixel = to_screen(view.camera, view.viewport, to_glm(box.to_world(local)));
+    const auto pixel = corner_on_screen(box, corner, view);
     if (!pixel) return std::nullopt;
     left = top ? std::min(left, pixel->x) : pixel->x;
     right = top ? std::max(right, pixel->x) : pixel->x;
@@ -129,11 +134,8 @@ void draw_handles(ImDrawList& draw, ImVec2 origin, const std::vector<HandleShape
 void draw_box_edges(ImDrawList& draw, ImVec2 origin, const Box& box, const GizmoView& view) {
   const auto scale = static_cast<float>(view.scale);
   std::array<std::optional<glm::dvec2>, 8> corners;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 local((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1);
-    corners[static_cast<std::size_t>(corner)] =
-        to_screen(view.camera, view.viewport, to_glm(box.to_world(local)));
-  }
+  for (int corner = 0; corner < 8; ++corner)
+    corners[static_cast<std::size_t>(corner)] = corner_on_screen(box, corner, view);
   for (std::size_t from = 0; from < 8; ++from) {
     for (const std::size_t side : {1U, 2U, 4U}) {
       const std::size_t to = from | side;

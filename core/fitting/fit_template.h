@@ -35,8 +35,8 @@ std::optional<ShapeFit> refit_template(const PartTemplate& part_template, const 
                                        const ShapeFit& start, const FitOptions& options,
                                        const JobControl& control = {});
 
-// As refit_template(), in half its time, for live editing: a box was moved a little. Parts stay as round as
-// `start` has them. graph: make_point_graph(samples, options), made once for all fits of the shape.
+// As refit_template(), in a fraction of its time, for live editing: a box was moved a little. Parts stay as
+// round as `start` has them. graph: make_point_graph(samples, options), made once for all fits of the shape.
 std::optional<ShapeFit> follow_template(const PartTemplate& part_template, const ShapeSamples& samples,
                                         const LabellingGraph& graph, const ShapeFit& start,
                                         const FitOptions& options, const JobControl& control = {});
