@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <array>
 
+#include "ui/centre_views.h"
 #include "ui/file_browser.h"
 #include "ui/panels.h"
 #include "ui/studio.h"
-#include "ui/viewport.h"
 #include "ui/widgets.h"
 
 namespace archetype {
@@ -175,14 +175,16 @@ void draw_frame(Studio& studio) {
 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * studio.fonts.scale, 5 * studio.fonts.scale});
   begin_area("##tools", layout.tools, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  draw_tool_bar(studio);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2 * studio.fonts.scale, 0});
+  centre_view(studio).tools(studio);
+  ImGui::PopStyleVar();
   ImGui::End();
   ImGui::PopStyleVar();
 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   begin_area("##viewport", layout.centre, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
-  draw_viewport(studio);
+  centre_view(studio).draw(studio);
   ImGui::End();
 
   begin_area("##inspector", layout.right);

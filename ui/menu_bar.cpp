@@ -1,6 +1,7 @@
 // The menus: the command table, in its order.
 #include <imgui.h>
 
+#include "ui/centre_views.h"
 #include "ui/panels.h"
 #include "ui/project_actions.h"
 #include "ui/studio.h"
@@ -44,6 +45,7 @@ void draw_menu_bar(Studio& studio) {
     }
     ImGui::EndMenu();
   }
+  draw_centre_tabs(studio);
   ImGui::EndMainMenuBar();
 }
 

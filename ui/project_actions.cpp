@@ -65,6 +65,7 @@ void put_into_view(Studio& studio, OpenedProject opened) {
   if (opened.document_is_stored) studio.autosave.saved_revision = studio.history.revision();
   select_only(studio.ui, std::nullopt);
   studio.ui.grid = {};
+  studio.ui.selection = {};
   show_shape(studio, std::nullopt);
   if (!studio.collection.rows().empty()) show_shape(studio, studio.collection.rows()[0].id);
 }

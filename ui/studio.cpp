@@ -117,7 +117,7 @@ void tell_problems(Studio& studio) {
        {studio.shape_loader.take_problem(), studio.live_fit.worker.take_problem(),
         studio.region_worker.take_problem(), studio.directory_reader.take_problem(),
         studio.viewport.coarse_worker.take_problem(), studio.viewport.average_worker.take_problem(),
-        studio.thumbnails.take_problem()})
+        studio.thumbnails.take_problem(), studio.fit_tables.reader.take_problem()})
     if (!problem.empty()) say(studio, Severity::error, problem);
 }
 
@@ -156,6 +156,7 @@ Studio::Studio(StudioOptions given)
       viewport(options.shaders, options.wake),
       shape_loader(load_shape, options.wake),
       rows_reader(reread_rows, options.wake),
+      fit_tables(options.wake),
       autosave(options.wake),
       directory_reader(list_directory, options.wake),
       live_fit(options.wake),
@@ -177,8 +178,10 @@ void begin_frame(Studio& studio) {
   follow_rows(studio);
   take_over_shape(studio);
   take_over_fit(studio);
+  begin_fit_tables(studio);
   begin_strip(studio);
   tell_problems(studio);
+  studio.ui.selection.hovered = std::exchange(studio.ui.selection.hovering, std::nullopt);
   keep_selection_valid(studio);
   if (studio.drag && !advance(*studio.drag, studio.history)) studio.drag.reset();
 }
@@ -188,6 +191,7 @@ void end_frame(Studio& studio) {
   keep_selection_valid(studio);
   ask_for_fit(studio);
   end_strip(studio);
+  end_fit_tables(studio);
   studio.thumbnails.end_frame();
   autosave(studio);
 }
@@ -205,7 +209,8 @@ bool settled(const Studio& studio) {
          studio.live_fit.worker.idle() && studio.region_worker.idle() && studio.rows_reader.idle() &&
          studio.directory_reader.idle() && studio.autosave.saver.idle() && studio.thumbnails.idle() &&
          !studio.live_fit.newly_shown && studio.live_fit.asked_shape == studio.shape.shape_revision &&
-         strip_settled(studio) && !viewport_busy(studio.viewport, studio.shape.shape_revision);
+         strip_settled(studio) && fit_tables_settled(studio) &&
+         !viewport_busy(studio.viewport, studio.shape.shape_revision);
 }
 
 bool wants_frames(const Studio& studio) {

@@ -18,6 +18,7 @@
 #include "ui/collection.h"
 #include "ui/command.h"
 #include "ui/directory_reader.h"
+#include "ui/fit_tables.h"
 #include "ui/fonts.h"
 #include "ui/keys.h"
 #include "ui/latency.h"
@@ -88,6 +89,7 @@ struct Studio {
   // Beside the window. Last, so that they are stopped before what they tell of goes.
   ShapeLoader shape_loader;
   RowsReader rows_reader;
+  FitTables fit_tables;
   Autosave autosave;
   DirectoryReader directory_reader;
   LiveFit live_fit;

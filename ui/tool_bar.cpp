@@ -7,25 +7,11 @@
 #include "ui/widgets.h"
 
 namespace archetype {
-namespace {
-
-void gap(const Studio& studio) {
-  ImGui::SameLine(0, 8 * studio.fonts.scale);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetFrameHeight();
-  ImGui::GetWindowDrawList()->AddLine({at.x, at.y + height * 0.2f}, {at.x, at.y + height * 0.8f},
-                                      ImGui::GetColorU32(colours(studio).border), studio.fonts.scale);
-  ImGui::SameLine(0, 9 * studio.fonts.scale);
-}
-
-}  // namespace
-
 void draw_tool_bar(Studio& studio) {
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2 * studio.fonts.scale, 0});
   command_button(studio, "undo", icon::undo);
   ImGui::SameLine();
   command_button(studio, "redo", icon::redo);
-  gap(studio);
+  separator_in_line(studio);
   command_toggle(studio, "tool-move", std::string(icon::move) + " Move");
   ImGui::SameLine();
   command_toggle(studio, "tool-scale", std::string(icon::scale) + " Scale");
@@ -33,7 +19,7 @@ void draw_tool_bar(Studio& studio) {
   command_toggle(studio, "tool-rotate", std::string(icon::rotate) + " Rotate");
   ImGui::SameLine();
   command_toggle(studio, "snapping", std::string(icon::snap) + " Snap");
-  gap(studio);
+  separator_in_line(studio);
   const std::pair<const char*, const char*> toggles[] = {
       {"surface", "Surface"}, {"wireframe", "Wires"},     {"points", "Points"},   {"part-colours", "Colours"},
       {"boxes", "Boxes"},     {"fitted-boxes", "Fitted"}, {"part-names", "Names"}};
@@ -46,7 +32,7 @@ void draw_tool_bar(Studio& studio) {
   // The rest only where there is room: it has keys and menus too.
   const float room = ImGui::GetContentRegionAvail().x;
   if (room > 190 * studio.fonts.scale) {
-    gap(studio);
+    separator_in_line(studio);
     command_button(studio, "view-front", "Front");
     ImGui::SameLine();
     command_button(studio, "view-right", "Side");
@@ -57,7 +43,6 @@ void draw_tool_bar(Studio& studio) {
   } else {
     ImGui::NewLine();
   }
-  ImGui::PopStyleVar();
 }
 
 }  // namespace archetype

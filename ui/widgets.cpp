@@ -138,6 +138,15 @@ std::string count_text(std::size_t count) {
   return text;
 }
 
+void separator_in_line(const Studio& studio) {
+  ImGui::SameLine(0, 8 * studio.fonts.scale);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetFrameHeight();
+  ImGui::GetWindowDrawList()->AddLine({at.x, at.y + height * 0.2f}, {at.x, at.y + height * 0.8f},
+                                      ImGui::GetColorU32(colours(studio).border), studio.fonts.scale);
+  ImGui::SameLine(0, 9 * studio.fonts.scale);
+}
+
 float share_of_width(int columns) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   return std::floor((ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) /

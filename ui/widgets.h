@@ -36,6 +36,8 @@ std::string duration_text(double seconds);                        // "8 s", "3 m
 std::string plural(std::size_t count, const std::string& thing);  // "1 shape", "2 shapes"
 std::string count_text(std::size_t count);                        // "12,345"
 
+// A line between groups of buttons in a row; the next item follows on the same line.
+void separator_in_line(const Studio& studio);
 // Buttons in a row as wide as the panel.
 float share_of_width(int columns);
 

@@ -1,0 +1,37 @@
+#include "ui/centre_views.h"
+
+#include <imgui.h>
+
+#include <array>
+
+#include "ui/panels.h"
+#include "ui/studio.h"
+#include "ui/viewport.h"
+#include "ui/widgets.h"
+
+namespace archetype {
+namespace {
+
+constexpr std::array views{
+    CentreViewRow{CentreView::shape, "Shape", "show-shape", draw_tool_bar, draw_viewport},
+};
+
+}  // namespace
+
+std::span<const CentreViewRow> centre_views() {
+  return views;
+}
+
+const CentreViewRow& centre_view(const Studio& studio) {
+  for (const CentreViewRow& row : views)
+    if (row.view == studio.ui.centre) return row;
+  return views.front();
+}
+
+void draw_centre_tabs(Studio& studio) {
+  if (views.size() < 2) return;
+  separator_in_line(studio);
+  for (const CentreViewRow& row : views) command_toggle(studio, row.command, row.name);
+}
+
+}  // namespace archetype
