@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "core/base/error.h"
+#include "core/fitting/template_surface.h"
 
 using namespace archetype;
 
@@ -38,11 +39,56 @@ TEST_CASE("what lies on the fitted box comes to lie on the mean box, whatever ya
   samples.points.push_back(fit.to_shape(fitted.to_world(on_box[0]) + offset));
   fit.labels = {0, 0, 0, 0};
 
-  const std::vector<Vec3> canonical = coalign(part_template, samples, fit);
+  const Coaligned coaligned = coalign(part_template, samples, fit, std::vector{fitted});
+  const std::vector<Vec3>& canonical = coaligned.deformed;
   REQUIRE(canonical.size() == 4);
   const Box mean = part_template.parts[0].mean_box();
   for (std::size_t i = 0; i < on_box.size(); ++i) check_near(canonical[i], mean.to_world(on_box[i]));
   check_near(canonical[3], mean.to_world(on_box[0]) + offset);
+  check_near(coaligned.rigid[2], fitted.to_world(on_box[2]));
+  // All that is left is the offset of the fourth.
+  CHECK(coaligned.sharpness.samples == 4);
+  CHECK(coaligned.sharpness.mean_deformed() == doctest::Approx(0.05 * 0.05 / 4));
+  CHECK(coaligned.sharpness.mean_rigid() > 1);
+}
+
+TEST_CASE("free boxes follow the surface where the template's spread holds the fitted ones back") {
+  PartTemplate part_template = one_box();
+  TemplatePart& part = part_template.parts[0];
+  part.orientation = Eigen::Quaterniond::Identity();
+  part.position.stddev = part.scale.stddev = Vec3::Constant(0.001);
+  // A box of other place and size, with samples all over it; the fit has not moved from the mean box.
+  const Box actual{{1.3, -0.2, 0.1}, {1.4, 1.7, 3.3}};
+  ShapeSamples samples;
+  samples.radius = 8;
+  for (const Vec3& local : sample_template(part_template, 2000).local)
+    samples.points.push_back(actual.to_world(local));
+  ShapeFit fit;
+  fit.parts.push_back({true, part.mean_box()});
+  fit.labels.assign(samples.size(), 0);
+  const std::vector<Box> boxes = free_boxes(part_template, samples, fit);
+  CHECK((boxes[0].centre - actual.centre).norm() < 0.06);
+  CHECK((boxes[0].half_extent - actual.half_extent).norm() < 0.06);
+  const double held = coalign(part_template, samples, fit, std::vector{fit.parts[0].box}).sharpness.deformed;
+  const double freed = coalign(part_template, samples, fit, boxes).sharpness.deformed;
+  CHECK(freed < 0.02 * held);
+  fit.labels.pop_back();
+  CHECK_THROWS_AS(free_boxes(part_template, samples, fit), PreconditionError);
+}
+
+TEST_CASE("a part that was not found keeps its mean box") {
+  const PartTemplate part_template = one_box();
+  ShapeSamples samples;
+  samples.points = {{1, 2, 3}, {1, 2, 4}};
+  samples.radius = 1;
+  ShapeFit fit;
+  fit.parts.push_back({false, part_template.parts[0].mean_box()});
+  fit.labels = {null_label, null_label};
+  const std::vector<Box> boxes = free_boxes(part_template, samples, fit);
+  CHECK(boxes[0].centre == part_template.parts[0].mean_box().centre);
+  const Coaligned coaligned = coalign(part_template, samples, fit, boxes);
+  CHECK(coaligned.sharpness.samples == 0);
+  CHECK(coaligned.sharpness.mean_deformed() == 0);
 }
 
 TEST_CASE("samples of no part are only turned and moved") {
