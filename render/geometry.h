@@ -35,6 +35,7 @@ struct MeshGeometry {
 struct PointGeometry {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;  // empty, or one per point; their sign has no meaning
+  std::vector<glm::vec3> moved;    // empty, or where each point comes to by ScenePoints::blend
   float spacing = 0;               // a typical distance of neighbours, for the size of the splats
   glm::vec3 low{0}, high{0};
 };

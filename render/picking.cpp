@@ -32,8 +32,9 @@ void pick_points(const ScenePoints& points, std::size_t object, const Camera& ca
   const glm::dmat4 to_clip = projection_matrix(camera, viewport) * view_matrix(camera) * transform;
   const double pixels_per_unit = (camera.orthographic ? 1.0 : camera.distance) / pixel_size(camera, viewport);
   const double radius = splat_radius(points) * pixels_per_unit;
-  for (std::size_t i = 0; i < points.geometry->positions.size(); ++i) {
-    const glm::dvec4 point(points.geometry->positions[i], 1);
+  const std::size_t last = last_drawn(points);
+  for (std::size_t i = points.first; i < last; ++i) {
+    const glm::dvec4 point(drawn_position(points, i), 1);
     const glm::dvec4 clip = to_clip * point;
     if (clip.w <= 0 || std::abs(clip.z) > clip.w) continue;
     const double drawn_radius =

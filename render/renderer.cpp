@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
+#include "core/base/error.h"
 #include "render/gl/draw.h"
 #include "render/splat.h"
 #include "render/translucent.h"
@@ -41,6 +42,24 @@ glm::vec4 unit_colour(const Rgb& colour) {
          255.F;
 }
 
+// Pixels drawn of the whole picture, where this is a piece of it.
+Viewport whole_picture(const gl::Framebuffer& drawn, const PictureSize& size) {
+  if (size.piece.whole_width == 0) return {drawn.width(), drawn.height()};
+  return {size.piece.whole_width * size.supersample, size.piece.whole_height * size.supersample};
+}
+
+// Takes what the whole picture shows, in clip space, to what the piece shows.
+glm::dmat4 piece_of(const Viewport& whole, const gl::Framebuffer& drawn, const PictureSize& size) {
+  glm::dmat4 matrix(1);
+  if (size.piece.whole_width == 0) return matrix;
+  const double finer = size.supersample;
+  matrix[0][0] = static_cast<double>(whole.width) / drawn.width();
+  matrix[1][1] = static_cast<double>(whole.height) / drawn.height();
+  matrix[3][0] = (whole.width - 2 * finer * size.piece.left) / drawn.width() - 1;
+  matrix[3][1] = 1 - (whole.height - 2 * finer * size.piece.top) / drawn.height();
+  return matrix;
+}
+
 }  // namespace
 
 // What all passes of a picture need.
@@ -54,17 +73,21 @@ struct Renderer::View {
   float finer;            // the supersampling
   float line_scale;       // pixels drawn per unit of line widths
   float pixels_per_unit;  // at w = 1
+  float splat_scale;      // of the largest splats: large pictures, which come in pieces, have larger ones
 
-  View(const Camera& c, const Viewport& viewport, const PictureSize& size)
+  View(const Camera& c, const gl::Framebuffer& drawn, const PictureSize& size)
+      : View(c, whole_picture(drawn, size), drawn, size) {}
+  View(const Camera& c, const Viewport& viewport, const gl::Framebuffer& drawn, const PictureSize& size)
       : camera(c),
-        view_projection(projection_matrix(c, viewport) * view_matrix(c)),
+        view_projection(piece_of(viewport, drawn, size) * projection_matrix(c, viewport) * view_matrix(c)),
         eye(c.orthographic ? glm::vec4(back_axis(c), 0) : glm::vec4(archetype::eye(c), 1)),
         key_direction(glm::normalize(-0.45 * right_axis(c) + 0.75 * up_axis(c) + 0.85 * back_axis(c))),
         fill_direction(glm::normalize(0.9 * right_axis(c) - 0.1 * up_axis(c) + 0.45 * back_axis(c))),
-        pixels(viewport.width, viewport.height),
+        pixels(drawn.width(), drawn.height()),
         finer(static_cast<float>(size.supersample)),
         line_scale(finer * size.line_scale),
-        pixels_per_unit(static_cast<float>((c.orthographic ? 1.0 : c.distance) / pixel_size(c, viewport))) {}
+        pixels_per_unit(static_cast<float>((c.orthographic ? 1.0 : c.distance) / pixel_size(c, viewport))),
+        splat_scale(size.piece.whole_width > 0 ? size.line_scale : 1.F) {}
 
   void set(const gl::Program& program) const {
     program.use();
@@ -115,7 +138,7 @@ void Renderer::resize(const PictureSize& wanted, RenderTarget& target) const {
 void Renderer::draw(const Scene& scene, const Camera& camera, const PictureSize& size, RenderTarget& target) {
   resize(size, target);
   const gl::Framebuffer& drawn = *target.drawn_;
-  const View view(camera, {drawn.width(), drawn.height()}, target.size_);
+  const View view(camera, drawn, target.size_);
   {
     const gl::DrawInto here(drawn);
     gl::clear(glm::vec4(0));
@@ -138,6 +161,17 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const PictureSize&
   }
   uploads_.end_picture();
   gl::check_errors("drawing a scene");
+}
+
+void Renderer::draw_more_points(const Scene& scene, const Camera& camera, RenderTarget& target) {
+  if (!target.drawn_ || target.reduced_)
+    throw PreconditionError("more points need a picture that was drawn without supersampling");
+  {
+    const gl::DrawInto here(*target.drawn_);
+    draw_points(scene, View(camera, *target.drawn_, target.size_), false);
+  }
+  uploads_.end_picture();
+  gl::check_errors("drawing points");
 }
 
 void Renderer::draw_backdrop(const Scene& scene) const {
@@ -175,7 +209,8 @@ void Renderer::draw_points(const Scene& scene, const View& view, bool behind) {
     gl::apply({});
   view.set(points_);
   points_.set("scale", view.pixels_per_unit);
-  points_.set("diameters", glm::vec2(least_splat_diameter, largest_splat_diameter) * view.finer);
+  points_.set("diameters",
+              glm::vec2(least_splat_diameter, largest_splat_diameter * view.splat_scale) * view.finer);
   for (const ScenePoints& points : scene.points) {
     if (!wanted(points) || !points.geometry || points.geometry->positions.empty()) continue;
     const gl::VertexArray& vertices = uploads_.points(points);
@@ -183,7 +218,9 @@ void Renderer::draw_points(const Scene& scene, const View& view, bool behind) {
     points_.set("colour", points.colours ? glm::vec4(0) : unit_colour(points.colour));
     points_.set("lit", points.lit && !points.geometry->normals.empty() ? 1 : 0);
     points_.set("radius", splat_radius(points));
-    gl::draw_points(vertices, points.geometry->positions.size());
+    points_.set("blend", points.geometry->moved.empty() ? 0.F : points.blend);
+    if (const std::size_t last = last_drawn(points); last > points.first)
+      gl::draw_points(vertices, points.first, last - points.first);
   }
 }
 

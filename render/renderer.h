@@ -12,11 +12,22 @@
 
 namespace archetype {
 
+// A piece of a larger picture: how large that is, and where the piece lies in it, from its upper left corner.
+// All in pixels; a width of 0: the picture is whole.
+struct PieceOfPicture {
+  int whole_width = 0;
+  int whole_height = 0;
+  int left = 0;
+  int top = 0;
+  friend bool operator==(const PieceOfPicture&, const PieceOfPicture&) = default;
+};
+
 struct PictureSize {
   int width = 1;  // pixels
   int height = 1;
   int supersample = 1;   // 1 to 4: pixels are drawn that many times finer each way and averaged
   float line_scale = 1;  // pixels per unit of line widths: the scale of a HiDPI screen
+  PieceOfPicture piece = {};
   friend bool operator==(const PictureSize&, const PictureSize&) = default;
 };
 
@@ -47,6 +58,11 @@ class Renderer {
   // Sizes are limited to what the graphics card can do. A 20,000-face mesh with 12 boxes takes a few ms in
   // 1280 x 720 in software.
   void draw(const Scene& scene, const Camera& camera, const PictureSize& size, RenderTarget& target);
+
+  // Only the points of a scene, over what the target holds: clouds that take too long for one frame come into
+  // their picture part by part (ScenePoints::first). Needs a target drawn by draw() without supersampling,
+  // and the same camera.
+  void draw_more_points(const Scene& scene, const Camera& camera, RenderTarget& target);
 
   std::size_t uploaded_bytes() const { return uploads_.byte_count(); }
 

@@ -3,6 +3,7 @@
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,9 +30,12 @@ struct ScenePoints {
   std::shared_ptr<const PointGeometry> geometry{};
   std::shared_ptr<const Colours> colours{};  // one per point; none: `colour` for all
   Rgb colour{200, 198, 194};
-  float radius = 0;     // of a splat, scene units; 0: from the spacing of the points
-  bool lit = true;      // has no effect without normals
-  bool behind = false;  // everything else, in the order of the points: a ghost
+  float radius = 0;       // of a splat, scene units; 0: from the spacing of the points
+  bool lit = true;        // has no effect without normals
+  bool behind = false;    // everything else, in the order of the points: a ghost
+  float blend = 0;        // from the positions of the points (0) to their moved ones (1), where there are any
+  std::size_t first = 0;  // of the points that are drawn
+  std::size_t most = std::numeric_limits<std::size_t>::max();  // so many from there
   glm::mat4 transform{1};
 };
 

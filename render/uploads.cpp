@@ -12,6 +12,7 @@ constexpr int normal_input = 1;
 constexpr int mesh_edge_input = 2;
 constexpr int mesh_colour_input = 3;
 constexpr int point_colour_input = 2;
+constexpr int point_moved_input = 3;
 
 glm::u8vec4 opaque(const Rgb& colour) {
   return {colour[0], colour[1], colour[2], 255};
@@ -81,6 +82,10 @@ const gl::VertexArray& Uploads::points(const ScenePoints& points) {
     if (!points.geometry->normals.empty()) {
       made.normals.upload(std::span(points.geometry->normals));
       made.vertices.attach(made.normals, vectors(normal_input));
+    }
+    if (!points.geometry->moved.empty()) {
+      made.moved.upload(std::span(points.geometry->moved));
+      made.vertices.attach(made.moved, vectors(point_moved_input));
     }
     return made;
   });

@@ -11,9 +11,10 @@ struct UploadedGeometry {
   gl::Buffer positions;
   gl::Buffer normals;
   gl::Buffer edge_distances;
+  gl::Buffer moved;
   gl::VertexArray vertices;
   std::size_t byte_count() const {
-    return positions.byte_count() + normals.byte_count() + edge_distances.byte_count();
+    return positions.byte_count() + normals.byte_count() + edge_distances.byte_count() + moved.byte_count();
   }
 };
 

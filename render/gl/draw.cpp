@@ -47,9 +47,9 @@ void draw_triangles(const VertexArray& vertices, std::size_t vertex_count) {
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertex_count));
 }
 
-void draw_points(const VertexArray& vertices, std::size_t vertex_count) {
+void draw_points(const VertexArray& vertices, std::size_t first, std::size_t vertex_count) {
   glBindVertexArray(vertices.name());
-  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(vertex_count));
+  glDrawArrays(GL_POINTS, static_cast<GLint>(first), static_cast<GLsizei>(vertex_count));
 }
 
 void draw_quads(const VertexArray& vertices, std::size_t instance_count) {

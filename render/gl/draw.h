@@ -22,7 +22,7 @@ void apply(const DrawState& state);
 void clear(const glm::vec4& colour);
 
 void draw_triangles(const VertexArray& vertices, std::size_t vertex_count);
-void draw_points(const VertexArray& vertices, std::size_t vertex_count);
+void draw_points(const VertexArray& vertices, std::size_t first, std::size_t vertex_count);
 // A triangle strip of four corners for each instance.
 void draw_quads(const VertexArray& vertices, std::size_t instance_count);
 
