@@ -1,7 +1,4 @@
-// The one place that knows stb_image_write.
 #include "render/picture_file.h"
-
-#include <stb/stb_image_write.h>
 
 #include <cerrno>
 #include <cstring>
@@ -9,18 +6,12 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/io/png.h"
 
 namespace archetype {
 
 void write_png(const std::filesystem::path& path, const Picture& picture) {
-  std::string bytes;
-  const auto append = [](void* context, void* data, int size) {
-    static_cast<std::string*>(context)->append(static_cast<const char*>(data),
-                                               static_cast<std::size_t>(size));
-  };
-  if (stbi_write_png_to_func(append, &bytes, picture.width, picture.height, 4, picture.pixels.data(),
-                             4 * picture.width) == 0)
-    throw PreconditionError("a picture without pixels cannot be written");
+  const std::string bytes = encode_png(picture);
   std::ofstream file(path, std::ios::binary);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::array views{
     CentreViewRow{CentreView::shape, "Shape", "show-shape", draw_tool_bar, draw_viewport},
+    CentreViewRow{CentreView::cloud, "Cloud", "show-cloud", draw_cloud_tools, draw_cloud},
 };
 
 }  // namespace

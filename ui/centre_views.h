@@ -8,7 +8,7 @@ namespace archetype {
 
 struct Studio;
 
-enum class CentreView { shape };
+enum class CentreView { shape, cloud };
 
 struct CentreViewRow {
   CentreView view;

@@ -20,6 +20,8 @@ void draw_messages_panel(Studio& studio);
 void draw_history_panel(Studio& studio);
 void draw_diagnostics_panel(Studio& studio);
 void draw_tool_bar(Studio& studio);
+void draw_cloud_tools(Studio& studio);
+void draw_cloud(Studio& studio);  // all points of many shapes in one space
 void draw_status_bar(Studio& studio);
 
 // Whole windows of their own, drawn only while they are open.

@@ -154,6 +154,7 @@ Studio::Studio(StudioOptions given)
     : options(std::move(given)),
       commands(all_commands()),
       viewport(options.shaders, options.wake),
+      cloud(options.wake),
       shape_loader(load_shape, options.wake),
       rows_reader(reread_rows, options.wake),
       fit_tables(options.wake),
@@ -209,8 +210,9 @@ bool settled(const Studio& studio) {
          studio.live_fit.worker.idle() && studio.region_worker.idle() && studio.rows_reader.idle() &&
          studio.directory_reader.idle() && studio.autosave.saver.idle() && studio.thumbnails.idle() &&
          !studio.live_fit.newly_shown && studio.live_fit.asked_shape == studio.shape.shape_revision &&
-         strip_settled(studio) && fit_tables_settled(studio) &&
-         !viewport_busy(studio.viewport, studio.shape.shape_revision);
+         strip_settled(studio) && fit_tables_settled(studio) && !cloud_busy(studio) &&
+         (studio.ui.centre != CentreView::shape ||
+          !viewport_busy(studio.viewport, studio.shape.shape_revision));
 }
 
 bool wants_frames(const Studio& studio) {

@@ -15,6 +15,7 @@
 #include "core/session/settings.h"
 #include "core/session/user_folders.h"
 #include "ui/autosave.h"
+#include "ui/cloud_view.h"
 #include "ui/collection.h"
 #include "ui/command.h"
 #include "ui/directory_reader.h"
@@ -75,6 +76,7 @@ struct Studio {
   std::vector<Credit> credits;  // of the shapes of the open collection, where they are known
   Messages messages;
   ViewportState viewport;
+  CloudView cloud;
   LatencyMeter latency;
   FrameMeter frames;
   std::vector<Target> targets;         // of the frame drawn last

@@ -11,6 +11,7 @@
 #include "core/io/project.h"
 #include "core/learning/initial_templates.h"
 #include "ui/centre_views.h"
+#include "ui/cloud_choice.h"
 #include "ui/collection.h"
 #include "ui/explorer_selection.h"
 #include "ui/point_tools.h"
@@ -109,6 +110,7 @@ enum class BottomTab { jobs, strip, learning, messages, history, diagnostics };
 struct UiState {
   CentreView centre = CentreView::shape;
   ExplorerSelection selection;
+  CloudChoice cloud;
   std::optional<ShapeId> shape;            // the shape in view
   std::optional<std::size_t> part;         // the selected part of the active template; see ui/selection.h
   std::vector<std::size_t> also_selected;  // parts that are edited with it; empty without it

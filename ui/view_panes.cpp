@@ -16,6 +16,25 @@ constexpr std::chrono::milliseconds flight_time{220};
 
 constexpr std::array<const char*, pane_count> pane_names{"Perspective", "Top", "Front", "Right"};
 
+// Where the flight ends, or the camera stands.
+Camera aim_of(const ViewPane& pane) {
+  return pane.flight ? pane.flight->to : pane.camera;
+}
+
+void fly(ViewPane& pane, const Camera& to) {
+  pane.flight = CameraFlight{pane.camera, to, Clock::now()};
+}
+
+void frame_content(ViewPane& pane, const PlacedPane& placed, const ViewportContent& content) {
+  Camera to = aim_of(pane);
+  const auto room = extent_to_frame(content);
+  if (!room) return;
+  frame(to, placed.viewport(), room->first, room->second);
+  fly(pane, to);
+}
+
+}  // namespace
+
 ViewPreset preset_of(CameraView view) {
   switch (view) {
     case CameraView::front:
@@ -36,24 +55,15 @@ ViewPreset preset_of(CameraView view) {
   return ViewPreset::three_quarter;
 }
 
-// Where the flight ends, or the camera stands.
-Camera aim_of(const ViewPane& pane) {
-  return pane.flight ? pane.flight->to : pane.camera;
+bool advance_flight(CameraFlight& flight, Camera& camera) {
+  const bool orthographic = camera.orthographic;
+  const double t = std::chrono::duration<double>(Clock::now() - flight.start) / flight_time;
+  const double eased = t >= 1 ? 1 : t * t * (3 - 2 * t);
+  flight.to.orthographic = orthographic;
+  camera = blend(flight.from, flight.to, eased);
+  camera.orthographic = orthographic;
+  return t < 1;
 }
-
-void fly(ViewPane& pane, const Camera& to) {
-  pane.flight = CameraFlight{pane.camera, to, Clock::now()};
-}
-
-void frame_content(ViewPane& pane, const PlacedPane& placed, const ViewportContent& content) {
-  Camera to = aim_of(pane);
-  const auto room = extent_to_frame(content);
-  if (!room) return;
-  frame(to, placed.viewport(), room->first, room->second);
-  fly(pane, to);
-}
-
-}  // namespace
 
 ViewPanes make_panes() {
   ViewPanes panes;
@@ -103,14 +113,7 @@ void follow_flight(Studio& studio, const ViewportContent& content, const PlacedP
     frame(pane.camera, placed.viewport(), extent->first, extent->second);
     pane.framed = true;
   }
-  if (!pane.flight) return;
-  const bool orthographic = pane.camera.orthographic;
-  const double t = std::chrono::duration<double>(Clock::now() - pane.flight->start) / flight_time;
-  const double eased = t >= 1 ? 1 : t * t * (3 - 2 * t);
-  pane.flight->to.orthographic = orthographic;
-  pane.camera = blend(pane.flight->from, pane.flight->to, eased);
-  pane.camera.orthographic = orthographic;
-  if (t >= 1) pane.flight.reset();
+  if (pane.flight && !advance_flight(*pane.flight, pane.camera)) pane.flight.reset();
 }
 
 void draw_pane_title(Studio& studio, const PlacedPane& placed) {

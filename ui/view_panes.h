@@ -24,6 +24,10 @@ struct CameraFlight {
   std::chrono::steady_clock::time_point start;
 };
 
+// Moves the camera on; false once it has arrived. Its projection stays.
+bool advance_flight(CameraFlight& flight, Camera& camera);
+ViewPreset preset_of(CameraView view);
+
 // Everything that the picture depends on: while it stays, nothing is drawn anew.
 struct PictureKey {
   Camera camera;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/camera_mouse.h"
 #include "ui/edit_overlay.h"
 #include "ui/heat_map.h"
 #include "ui/selection.h"
@@ -95,31 +96,10 @@ ViewportContent content_of(const Studio& studio) {
   return content;
 }
 
-// An invisible button over the whole pane: Dear ImGui decides who has the mouse. The title lies over it.
-MouseInput read_mouse(Studio& studio, const PlacedPane& placed) {
-  const ImGuiIO& io = ImGui::GetIO();
-  constexpr ImGuiButtonFlags any_button = ImGuiButtonFlags_MouseButtonLeft |
-                                          ImGuiButtonFlags_MouseButtonRight |
-                                          ImGuiButtonFlags_MouseButtonMiddle;
-  ImGui::SetCursorScreenPos(placed.origin);
-  ImGui::PushID(static_cast<int>(placed.index));
-  ImGui::InvisibleButton("##view", placed.size, any_button);
-  ImGui::SetItemAllowOverlap();
-  ImGui::PopID();
+// The title lies over it.
+MouseInput mouse_over(Studio& studio, const PlacedPane& placed) {
+  const MouseInput mouse = read_mouse(static_cast<int>(placed.index), placed.origin, placed.size);
   mark_target(studio, placed.index == 0 ? "viewport" : "viewport:" + std::to_string(placed.index));
-  MouseInput mouse;
-  mouse.cursor = {io.MousePos.x - placed.origin.x, io.MousePos.y - placed.origin.y};
-  mouse.over = ImGui::IsItemHovered();
-  mouse.held = ImGui::IsItemActive();
-  mouse.pressed = ImGui::IsItemActivated();
-  for (const int button : {ImGuiMouseButton_Left, ImGuiMouseButton_Right, ImGuiMouseButton_Middle})
-    if (ImGui::IsMouseClicked(button)) mouse.button = button;
-  // Also deactivated where Esc took the mouse away: only with all buttons up is it a release.
-  mouse.released = ImGui::IsItemDeactivated() && !ImGui::IsAnyMouseDown();
-  mouse.wheel = io.MouseWheel;
-  mouse.shift = io.KeyShift;
-  mouse.alt = io.KeyAlt;
-  mouse.ctrl = io.KeyCtrl;
   return mouse;
 }
 
@@ -204,7 +184,7 @@ void follow_mouse_in(Studio& studio, const std::vector<PlacedPane>& panes) {
   std::optional<std::size_t> with_mouse;
   std::vector<MouseInput> inputs;
   for (std::size_t i = 0; i < panes.size(); ++i) {
-    inputs.push_back(read_mouse(studio, panes[i]));
+    inputs.push_back(mouse_over(studio, panes[i]));
     if (held ? panes[i].index == state.current : inputs[i].over) with_mouse = i;
   }
   if (with_mouse) state.current = panes[*with_mouse].index;

@@ -9,17 +9,13 @@
 
 #include "core/session/actions.h"
 #include "render/picking.h"
+#include "ui/camera_mouse.h"
 #include "ui/point_tools.h"
 #include "ui/selection.h"
 #include "ui/studio.h"
 
 namespace archetype {
 namespace {
-
-constexpr double click_reach = 4;             // pixels that a click may move, at scale 1
-constexpr double radians_per_pixel = 0.0085;  // at scale 1
-constexpr double zoom_per_notch = 0.87;
-constexpr double zoom_per_pixel = 0.994;  // upwards, at scale 1
 
 // Clicking again on the same place takes the next box below the cursor; with Shift or Ctrl the front one is
 // taken in or out.
@@ -38,24 +34,6 @@ void select_at(Studio& studio, const Scene& scene, const GizmoView& view, const 
   const auto current = std::find(parts.begin(), parts.end(), studio.ui.part);
   const bool next = current != parts.end() && current + 1 != parts.end();
   select_only(studio.ui, next ? *(current + 1) : parts.front());
-}
-
-// What dragging with a button does where there is no handle. None: it only clicks.
-MouseAction camera_action(Navigation navigation, const MouseInput& mouse) {
-  const bool left = mouse.button == ImGuiMouseButton_Left;
-  const bool right = mouse.button == ImGuiMouseButton_Right;
-  switch (navigation) {
-    case Navigation::archetype:
-      if (right) return MouseAction::none;
-      return left && !mouse.shift ? MouseAction::orbit : MouseAction::pan;
-    case Navigation::blender:
-      if (left || right) return MouseAction::none;
-      return mouse.shift ? MouseAction::pan : mouse.ctrl ? MouseAction::zoom : MouseAction::orbit;
-    case Navigation::maya:
-      if (!mouse.alt) return MouseAction::none;
-      return left ? MouseAction::orbit : right ? MouseAction::zoom : MouseAction::pan;
-  }
-  return MouseAction::none;
 }
 
 void begin(Studio& studio, const MouseInput& mouse) {
@@ -141,15 +119,9 @@ void hover(Studio& studio, const MouseInput& mouse, const Scene& scene, const Gi
   if (!picks.empty() && picks.front().object < shown->parts.size()) state.hovered = picks.front().object;
 }
 
-void move_camera(ViewportState& state, const MouseInput& mouse, const GizmoView& view) {
-  const glm::dvec2 way = mouse.cursor - state.last_cursor;
-  if (state.action == MouseAction::orbit)
-    orbit(state.pane().camera, -way.x * radians_per_pixel / view.scale,
-          way.y * radians_per_pixel / view.scale);
-  if (state.action == MouseAction::pan)
-    pan(state.pane().camera, view.viewport, state.last_cursor, mouse.cursor);
-  if (state.action == MouseAction::zoom)
-    zoom(state.pane().camera, view.viewport, state.pressed_at, std::pow(zoom_per_pixel, -way.y / view.scale));
+void move_pane(ViewportState& state, const MouseInput& mouse, const GizmoView& view) {
+  move_camera(state.pane().camera, state.action, view,
+              {.pressed = state.pressed_at, .from = state.last_cursor, .to = mouse.cursor});
   state.last_cursor = mouse.cursor;
 }
 
@@ -183,7 +155,7 @@ void follow_mouse(Studio& studio, const MouseInput& mouse, const Scene& scene, c
     else if (mouse.released)
       select_at(studio, scene, view, mouse);
   }
-  move_camera(state, mouse, view);
+  move_pane(state, mouse, view);
   if (mouse.released) state.action = MouseAction::none;
 }
 

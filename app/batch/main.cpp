@@ -26,6 +26,7 @@ int parse_and_run(int argc, char** argv, Invocation& invocation) {
   add_evaluate_command(app, invocation);
   add_map_command(app, invocation);
   add_export_command(app, invocation);
+  add_report_command(app, invocation);
   add_generate_command(app, invocation);
   add_info_command(app, invocation);
   add_help_command(app, invocation);

@@ -76,6 +76,24 @@ TEST_CASE("shapes are imported, fitted, evaluated, exported and described") {
   CHECK(folder_content(only).size() == 3);
 }
 
+TEST_CASE("a report is one page, with the accuracy where labels are given") {
+  const Fixture fixture(2);
+  CHECK(fixture.fit().exit_code == 0);
+  const auto out = fixture.folder.path() / "report.html";
+  Finished run =
+      run_archetype({"report", fixture.project, "--out", out.string(), "--labels", fixture.labels});
+  CHECK(run.exit_code == 0);
+  CHECK(is_one_line(run.out));
+  const std::string page = archetype::read_file(out);
+  CHECK(page.find("chair_00001") != std::string::npos);
+  CHECK(page.find("mean over 2 shapes") != std::string::npos);
+  run = run_archetype({"report", fixture.project, "--out", out.string(), "--json"});
+  CHECK(nlohmann::json::parse(run.out).at("pictures") == 4);
+  CHECK(archetype::read_file(out).find("id=\"accuracy\"") == std::string::npos);
+  CHECK(run_archetype({"report", fixture.project}).exit_code == 2);
+  CHECK(run_archetype({"report", fixture.project, "--out", "/no/such/folder/r.html"}).exit_code == 1);
+}
+
 TEST_CASE("an export tells the seed of the samples, energies that add up, and files by the shapes' names") {
   const Fixture fixture(1);
   const std::string odd = "a:b \"c\" (1)";

@@ -1,0 +1,33 @@
+// A project as one page for a browser: to look at, hand on and keep.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/base/job_control.h"
+#include "core/io/project.h"
+
+namespace archetype {
+
+struct ReportOptions {
+  std::string title;             // of the page; "": the name of the project's file
+  std::filesystem::path labels;  // of ground truth, for the accuracy; empty: none
+  unsigned threads = 0;          // 0: all
+};
+
+struct HtmlReport {
+  std::string page;
+  std::size_t shapes = 0;
+  std::size_t pictures = 0;
+};
+
+// The page is whole: pictures lie inside of it, nothing is loaded and no script is needed. It shows the
+// collection, the templates, the clusters with their best members, the worst fits, the accuracy, learning,
+// settings and what was refused; long lists are cut, and say so. The same project gives the same bytes.
+// Pictures are the thumbnails that the window has kept, and drawn from samples where there is none; about 20
+// KB each, at most some hundred. Nothing if cancelled. Throws FileError.
+std::optional<HtmlReport> html_report(const Project& project, const ReportOptions& options,
+                                      const JobControl& control);
+
+}  // namespace archetype

@@ -1,0 +1,119 @@
+// Figures and the report from the window's commands.
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "core/io/file.h"
+#include "core/session/fit_collection.h"
+#include "core/session/import_shapes.h"
+#include "tests/support/small_collection.h"
+#include "tests/ui/test_window.h"
+#include "ui/figure.h"
+#include "ui/project_actions.h"
+
+using namespace archetype;
+using test::TestWindow;
+
+namespace {
+
+void show_fitted_chairs(TestWindow& window, std::size_t count) {
+  const auto folder = window.scratch().path();
+  test::write_chairs(folder / "made", count);
+  {
+    Project project = Project::create(folder / "fitted.archetype");
+    ImportOptions options;
+    options.points = 150;
+    import_shapes(project, {folder / "made" / "shapes"}, options, {});
+    fit_collection(project, {test::chair_template()}, {}, 2, {});
+    project.set_fit_status(project.shape_ids().back(), FitStatus::outlier);
+  }
+  open_project(window.studio(), folder / "fitted.archetype");
+  window.settle();
+}
+
+// The width in a PNG file's header.
+int png_width(const std::filesystem::path& file) {
+  const std::string bytes = read_file(file);
+  REQUIRE(bytes.size() > 200);
+  REQUIRE(bytes.substr(1, 3) == "PNG");
+  int width = 0;
+  for (std::size_t i = 16; i < 20; ++i) width = width << 8 | static_cast<unsigned char>(bytes[i]);
+  return width;
+}
+
+FigureRequest request_of(TestWindow& window, int width, bool transparent) {
+  const Studio& studio = window.studio();
+  FigureRequest request;
+  request.project = studio.collection.path;
+  request.shaders = studio.options.shaders;
+  request.options = {width, transparent};
+  for (const ShapeRow& row : studio.collection.rows()) request.shapes.push_back(row.id);
+  return request;
+}
+
+}  // namespace
+
+TEST_CASE("Each figure is saved by its command, as wide as asked for") {
+  TestWindow window(500, 400);
+  show_fitted_chairs(window, 3);
+  for (const std::string name : {"figure-templates", "figure-clusters", "figure-coalignment", "figure-fit"}) {
+    CAPTURE(name);
+    const auto file = window.scratch().path() / (name + ".png");
+    REQUIRE(run_command(window.studio(), name, std::vector<std::string>{file.string(), "300"}));
+    window.settle();
+    CHECK(png_width(file) == 300);
+  }
+}
+
+TEST_CASE("A figure may be transparent, and is the same in each run") {
+  TestWindow window(300, 200);
+  show_fitted_chairs(window, 2);
+  const auto white = templates_figure(request_of(window, 240, false), {});
+  const auto clear = templates_figure(request_of(window, 240, true), {});
+  REQUIRE(white);
+  REQUIRE(clear);
+  CHECK(white->pixels[3] == 255);
+  CHECK(clear->pixels[3] == 0);
+  CHECK(*clear == *templates_figure(request_of(window, 240, true), {}));
+  std::size_t drawn = 0;
+  for (std::size_t i = 3; i < clear->pixels.size(); i += 4) drawn += clear->pixels[i] > 0;
+  CHECK(drawn > clear->pixels.size() / 4 / 20);
+}
+
+TEST_CASE("Sizes that no figure can have, and figures of nothing, are refused with the reason") {
+  TestWindow window(300, 200);
+  const auto file = (window.scratch().path() / "f.png").string();
+  CHECK_FALSE(run_command(window.studio(), "figure-clusters", std::vector<std::string>{file}));
+  window.open_chairs(1);
+  for (const std::string width : {"0", "-5", "199", "1e9", "32001", "300.5", "nan", "wide"}) {
+    CAPTURE(width);
+    CHECK_FALSE(run_command(window.studio(), "figure-fit", std::vector<std::string>{file, width}));
+  }
+  // Nothing is fitted yet: the job says so.
+  for (const char* name : {"figure-clusters", "figure-coalignment", "figure-fit", "figure-templates"}) {
+    CAPTURE(name);
+    REQUIRE(run_command(window.studio(), name, std::vector<std::string>{file, "200"}));
+    window.settle();
+    CHECK_FALSE(std::filesystem::exists(file));
+    CHECK(window.studio().messages.list().back().severity == Severity::error);
+  }
+  FigureRequest request;
+  request.shaders = window.studio().options.shaders;
+  request.options.width = most_figure_side;
+  FigurePage page(request);
+  CHECK_THROWS_AS(page.set_height(1000), Error);  // 32,000 x 32,000
+  request.options.width = 10;
+  CHECK_THROWS_AS(FigurePage{request}, Error);
+}
+
+TEST_CASE("The report is saved by its command") {
+  TestWindow window(300, 200);
+  show_fitted_chairs(window, 2);
+  const auto file = window.scratch().path() / "report.html";
+  REQUIRE(run_command(window.studio(), "export-report", std::vector<std::string>{file.string()}));
+  window.settle();
+  const std::string page = read_file(file);
+  CHECK(page.find("chair_00000") != std::string::npos);
+  CHECK(page.find("data:image/png") != std::string::npos);
+}

@@ -1,0 +1,157 @@
+// Captions, legend, boxes and marks over the pictures of the clouds.
+#include "ui/cloud_overlay.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "render/convert.h"
+#include "ui/colour_legend.h"
+#include "ui/studio.h"
+#include "ui/viewport_overlay.h"
+#include "ui/widgets.h"
+
+namespace archetype {
+namespace {
+
+std::string formatted(const char* format, double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string number(double value) {
+  return formatted("%.4f", value);
+}
+std::string factor(double value) {
+  return formatted(value < 10 ? "%.1f" : "%.0f", value);
+}
+std::string short_number(double value) {
+  return formatted("%g", value);
+}
+
+void draw_boxes(Studio& studio, const CloudPane& pane) {
+  const CloudView& view = studio.cloud;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  for (const TemplateRecord& record : view.content->templates)
+    for (std::size_t i = 0; i < record.part_template.parts.size(); ++i) {
+      const Box box = record.part_template.parts[i].mean_box();
+      const Rgb rgb = part_colour(record.part_template, static_cast<int>(i));
+      for (unsigned from = 0; from < 8; ++from)
+        for (const unsigned side : {1U, 2U, 4U}) {
+          if ((from & side) != 0) continue;
+          const auto corner = [&](unsigned c) {
+            const Vec3 local((c & 1U) != 0 ? 1 : -1, (c & 2U) != 0 ? 1 : -1, (c & 4U) != 0 ? 1 : -1);
+            return to_screen(view.camera, pane.viewport(), to_glm(box.to_world(local)));
+          };
+          const auto a = corner(from);
+          const auto b = corner(from | side);
+          if (!a || !b) continue;
+          const auto at = [&](const glm::dvec2& p) {
+            return ImVec2(pane.origin.x + static_cast<float>(p.x), pane.origin.y + static_cast<float>(p.y));
+          };
+          draw.AddLine(at(*a), at(*b), IM_COL32(rgb[0], rgb[1], rgb[2], 190), 1.3F * studio.fonts.scale);
+        }
+    }
+}
+
+// A ring where a point was picked.
+void draw_place(Studio& studio, const CloudPane& pane) {
+  const CloudView& view = studio.cloud;
+  const auto& place = studio.ui.selection.place;
+  if (!place || !view.marked) return;
+  const glm::vec3 wanted(to_glm(place->canonical));
+  std::optional<std::size_t> nearest;
+  const PointGeometry& marked = *view.marked;
+  for (std::size_t i = 0; i < marked.moved.size(); ++i)
+    if (!nearest || glm::distance(marked.moved[i], wanted) < glm::distance(marked.moved[*nearest], wanted))
+      nearest = i;
+  if (!nearest) return;
+  const glm::vec3 at = glm::mix(marked.positions[*nearest], marked.moved[*nearest], pane.blend);
+  const auto pixel = to_screen(view.camera, pane.viewport(), at);
+  if (!pixel) return;
+  const ImVec2 middle(pane.origin.x + static_cast<float>(pixel->x),
+                      pane.origin.y + static_cast<float>(pixel->y));
+  const float scale = studio.fonts.scale;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddCircle(middle, 9 * scale, IM_COL32(24, 26, 30, 255), 24, 4 * scale);
+  draw.AddCircle(middle, 9 * scale, ImGui::GetColorU32(colours(studio).accent), 24, 2 * scale);
+}
+
+void draw_caption(Studio& studio, const CloudPane& pane, const std::string& title, const std::string& text) {
+  const float scale = studio.fonts.scale;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 low(pane.origin.x + 12 * scale, pane.origin.y + 10 * scale);
+  ImGui::PushFont(studio.fonts.bold);
+  draw.AddText(low, ImGui::GetColorU32(colours(studio).text), title.c_str());
+  const float line = ImGui::GetTextLineHeight();
+  ImGui::PopFont();
+  draw.AddText({low.x, low.y + line + 2 * scale}, ImGui::GetColorU32(colours(studio).muted),
+               fitted(text, pane.size.x - 24 * scale).c_str());
+}
+
+void draw_captions(Studio& studio, const CloudPane& pane) {
+  const Sharpness& sharpness = studio.cloud.content->sharpness;
+  const std::string rigid = "mean squared distance to the canonical place " + number(sharpness.mean_rigid());
+  std::string deformed = "mean squared distance to the canonical place " + number(sharpness.mean_deformed());
+  if (sharpness.deformed > 0) deformed += ", " + factor(sharpness.rigid / sharpness.deformed) + " times less";
+  if (!studio.ui.cloud.pair) {
+    const std::string title = pane.blend <= 0   ? "Rigid"
+                              : pane.blend >= 1 ? "Deformed"
+                                                : "Between rigid and deformed";
+    draw_caption(studio, pane, title, pane.blend <= 0 ? rigid : deformed);
+  } else {
+    draw_caption(studio, pane, pane.index == 0 ? "Rigid" : "Deformed", pane.index == 0 ? rigid : deformed);
+  }
+}
+
+std::string counts(const Studio& studio) {
+  const CloudContent& content = *studio.cloud.content;
+  std::string text = count_text(content.shapes.size()) +
+                     (content.shapes.size() == 1 ? " shape, " : " shapes, ") + count_text(content.of.size());
+  text += content.samples > content.of.size() ? " of " + count_text(content.samples) + " points" : " points";
+  if (studio.cloud.asked.outliers > 0)
+    text += ", " + plural(studio.cloud.asked.outliers, "outlier") + " left out";
+  return text;
+}
+
+void draw_legend(Studio& studio, const CloudPane& pane) {
+  const CloudContent& content = *studio.cloud.content;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 corner(pane.origin.x + pane.size.x, pane.origin.y + pane.size.y);
+  if (studio.ui.cloud.colour == CloudColour::displacement) {
+    const double most = content.largest_displacement;
+    draw_colour_scale(draw, studio.fonts, colours(studio), corner,
+                      {"Moved by the deformation", short_number(most / 2), short_number(most) + " and more"});
+  }
+  if (studio.ui.cloud.colour == CloudColour::part && content.templates.size() == 1) {
+    const PartTemplate& part_template = content.templates.front().part_template;
+    std::vector<ColourName> names;
+    for (std::size_t i = 0; i < part_template.parts.size(); ++i)
+      names.push_back({part_colour(part_template, static_cast<int>(i)), part_template.parts[i].name});
+    draw_colour_names(draw, studio.fonts, colours(studio), corner, 0.6F * pane.size.y, names);
+  }
+}
+
+}  // namespace
+
+void draw_cloud_overlay(Studio& studio, const CloudPane& pane, bool last) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.PushClipRect(pane.origin, {pane.origin.x + pane.size.x, pane.origin.y + pane.size.y}, true);
+  if (studio.ui.cloud.boxes) draw_boxes(studio, pane);
+  draw_place(studio, pane);
+  draw_captions(studio, pane);
+  if (last) draw_legend(studio, pane);
+  const GizmoView view{studio.cloud.camera, pane.viewport(), static_cast<double>(studio.fonts.scale)};
+  if (pane.index == 0) draw_axes(draw, pane.origin, view, ImGui::GetColorU32(colours(studio).text));
+  if (pane.index == 0) {
+    const float scale = studio.fonts.scale;
+    draw.AddText({pane.origin.x + 76 * scale, pane.origin.y + pane.size.y - 28 * scale},
+                 ImGui::GetColorU32(colours(studio).muted),
+                 fitted(counts(studio), pane.size.x - 90 * scale).c_str());
+  }
+  draw.PopClipRect();
+}
+
+}  // namespace archetype

@@ -1,0 +1,92 @@
+// The line above the clouds: which points, how they are coloured, rigid beside deformed or between the two.
+#include <imgui.h>
+
+#include <algorithm>
+#include <map>
+
+#include "ui/panels.h"
+#include "ui/studio.h"
+#include "ui/widgets.h"
+
+namespace archetype {
+namespace {
+
+struct Choice {
+  CloudScope scope;
+  TemplateId cluster;
+  std::string name;
+};
+
+std::vector<Choice> choices(Studio& studio) {
+  std::map<TemplateId, std::size_t> members;
+  for (const ShapeRow& row : studio.collection.rows())
+    if (row.fit) ++members[row.fit->part_template];
+  std::vector<Choice> all{{CloudScope::collection, 0, "Whole collection"}};
+  if (const auto table = use_fit_table(studio))
+    for (const TemplateRecord& record : table->templates)
+      if (const std::size_t count = members[record.id])
+        all.push_back(
+            {CloudScope::cluster, record.id, record.part_template.name + " (" + count_text(count) + ")"});
+  all.push_back(
+      {CloudScope::selection, 0, "Selected shapes (" + count_text(studio.ui.selection.shapes.size()) + ")"});
+  return all;
+}
+
+bool is_chosen(const CloudChoice& cloud, const Choice& choice) {
+  return cloud.scope == choice.scope &&
+         (choice.scope != CloudScope::cluster || cloud.cluster == choice.cluster);
+}
+
+void draw_scope(Studio& studio) {
+  CloudChoice& cloud = studio.ui.cloud;
+  const std::vector<Choice> all = choices(studio);
+  const auto chosen = std::ranges::find_if(all, [&](const Choice& c) { return is_chosen(cloud, c); });
+  ImGui::SetNextItemWidth(190 * studio.fonts.scale);
+  const bool open = ImGui::BeginCombo("##scope", chosen == all.end() ? "One cluster" : chosen->name.c_str());
+  mark_target(studio, "cloud:scope");
+  if (!open) return;
+  for (const Choice& choice : all) {
+    ImGui::PushID(&choice);
+    if (ImGui::Selectable(choice.name.c_str(), is_chosen(cloud, choice))) {
+      cloud.scope = choice.scope;
+      cloud.cluster = choice.cluster;
+    }
+    mark_target(studio, "cloud:scope:" + choice.name);
+    ImGui::PopID();
+  }
+  ImGui::EndCombo();
+}
+
+void draw_blend(Studio& studio) {
+  separator_in_line(studio);
+  ImGui::AlignTextToFramePadding();
+  muted_text(studio, "Rigid");
+  ImGui::SameLine(0, 6 * studio.fonts.scale);
+  ImGui::SetNextItemWidth(150 * studio.fonts.scale);
+  ImGui::SliderFloat("##blend", &studio.ui.cloud.blend, 0, 1, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+  mark_target(studio, "cloud:blend");
+  tooltip("How much of the deformation of each part is taken out");
+  ImGui::SameLine(0, 6 * studio.fonts.scale);
+  muted_text(studio, "Deformed");
+}
+
+}  // namespace
+
+void draw_cloud_tools(Studio& studio) {
+  draw_scope(studio);
+  separator_in_line(studio);
+  muted_text(studio, "Colour by");
+  ImGui::SameLine(0, 6 * studio.fonts.scale);
+  command_toggle(studio, "cloud-by-part", "Part");
+  ImGui::SameLine();
+  command_toggle(studio, "cloud-by-shape", "Shape");
+  ImGui::SameLine();
+  command_toggle(studio, "cloud-by-displacement", "Displacement");
+  separator_in_line(studio);
+  command_toggle(studio, "cloud-pair", "Side by side");
+  ImGui::SameLine();
+  command_toggle(studio, "cloud-boxes", "Boxes");
+  if (!studio.ui.cloud.pair) draw_blend(studio);
+}
+
+}  // namespace archetype

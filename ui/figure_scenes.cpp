@@ -1,0 +1,103 @@
+#include "ui/figure_scenes.h"
+
+#include <glm/common.hpp>
+
+#include "core/base/error.h"
+#include "core/io/read_shape.h"
+#include "render/convert.h"
+#include "render/thumbnails.h"
+#include "ui/viewport_scene.h"
+
+namespace archetype {
+namespace {
+
+glm::mat4 to_template(const FigureShape& shape) {
+  glm::mat4 matrix(1);
+  if (!shape.fit) return matrix;
+  const Vec3 origin = shape.fit->fit.to_template(Vec3::Zero());
+  for (int k = 0; k < 3; ++k)
+    matrix[k] = glm::vec4(to_glm(Vec3(shape.fit->fit.to_template(Vec3::Unit(k)) - origin)), 0);
+  matrix[3] = glm::vec4(to_glm(origin), 1);
+  return matrix;
+}
+
+void read_faces(const Project& project, FigureShape& shape) {
+  ShapeFile file = read_shape(shape.record.path);
+  if (file.hash != shape.record.hash) return;  // its labels are of another file
+  std::optional<std::vector<std::int16_t>> labels;
+  if (shape.fit) labels = project.labels(shape.record.id);
+  if (labels && labels->size() == file.mesh.element_count())
+    shape.part_colours = colours_of_labels(*labels, shape.part_template.get());
+  if (file.mesh.is_point_set())
+    shape.points = std::make_shared<const PointGeometry>(make_point_geometry(file.mesh, shape.record.frame));
+  else
+    shape.mesh = std::make_shared<const MeshGeometry>(make_mesh_geometry(file.mesh, shape.record.frame));
+}
+
+}  // namespace
+
+std::optional<FigureShape> load_figure_shape(const Project& project, ShapeId id) {
+  const auto record = project.find_shape(id);
+  if (!record) return std::nullopt;
+  FigureShape shape;
+  shape.record = *record;
+  shape.samples = project.samples(id);
+  shape.fit = project.fit(id);
+  std::optional<TemplateRecord> of;
+  if (shape.fit) of = project.find_template(shape.fit->part_template);
+  if (!of || shape.fit->fit.labels.size() != shape.samples.size()) shape.fit.reset();
+  if (shape.fit) shape.part_template = std::make_shared<const PartTemplate>(std::move(of->part_template));
+  try {
+    read_faces(project, shape);
+  } catch (const Error&) {
+    // The file has gone: the samples stand for it.
+  }
+  if (shape.mesh || shape.points) return shape;
+  shape.points = std::make_shared<const PointGeometry>(make_point_geometry(shape.samples));
+  shape.part_colours.reset();
+  if (shape.fit) shape.part_colours = colours_of_labels(shape.fit->fit.labels, shape.part_template.get());
+  return shape;
+}
+
+void add_shape(Scene& scene, const FigureShape& shape, bool coloured) {
+  const auto colours = coloured ? shape.part_colours : nullptr;
+  const glm::mat4 transform = to_template(shape);
+  if (shape.mesh)
+    scene.meshes.push_back({.geometry = shape.mesh, .face_colours = colours, .transform = transform});
+  else
+    scene.points.push_back({.geometry = shape.points, .colours = colours, .transform = transform});
+}
+
+Scene template_scene(const PartTemplate& part_template, bool spread) {
+  ViewportContent content;
+  content.part_template = &part_template;
+  content.view.ground = false;
+  content.view.spread = spread;
+  content.backdrop = Backdrop::light;
+  return make_viewport_scene(content);
+}
+
+Camera figure_camera(const Scene& scene, const Viewport& viewport) {
+  Bounds bounds;
+  const auto add_corners = [&](const glm::vec3& low, const glm::vec3& high, const glm::mat4& transform) {
+    for (int corner = 0; corner < 8; ++corner) {
+      const glm::vec4 at((corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
+                         (corner & 4) != 0 ? high.z : low.z, 1);
+      bounds.add(to_eigen(glm::dvec3(transform * at)));
+    }
+  };
+  for (const SceneMesh& mesh : scene.meshes)
+    add_corners(mesh.geometry->low, mesh.geometry->high, mesh.transform);
+  for (const ScenePoints& points : scene.points)
+    add_corners(points.geometry->low, points.geometry->high, points.transform);
+  for (const SceneBox& box : scene.boxes)
+    for (int corner = 0; corner < 8; ++corner)
+      bounds.add(box.box.to_world(
+          Vec3((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1)));
+  Camera camera;
+  look_from(camera, ViewPreset::three_quarter);
+  if (!bounds.empty()) frame(camera, viewport, to_glm(bounds.low), to_glm(bounds.high), 0.03);
+  return camera;
+}
+
+}  // namespace archetype

@@ -1,0 +1,170 @@
+// The row of templates, and the sheet of clusters.
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "ui/figure.h"
+#include "ui/figure_scenes.h"
+#include "ui/widgets.h"
+
+namespace archetype {
+namespace {
+
+constexpr double margin = 16;
+constexpr double gap = 10;
+constexpr double text = 13;  // height of a line
+constexpr double small_text = 11;
+
+struct Cluster {
+  std::shared_ptr<const PartTemplate> part_template;
+  std::vector<FitSummary> members;  // best first
+};
+
+// The current templates in their order, then others that fits still have.
+std::vector<Cluster> clusters_of(const Project& project, const std::vector<PartTemplate>& otherwise,
+                                 std::vector<FitSummary>* outliers) {
+  std::vector<TemplateRecord> records = project.templates();
+  std::vector<FitSummary> fits = project.fits();
+  for (const FitSummary& fit : fits) {
+    const bool known = std::ranges::any_of(records, [&](const auto& r) { return r.id == fit.part_template; });
+    if (known) continue;
+    if (auto older = project.find_template(fit.part_template)) records.push_back(std::move(*older));
+  }
+  std::vector<Cluster> clusters;
+  for (const TemplateRecord& record : records) {
+    Cluster& cluster = clusters.emplace_back();
+    cluster.part_template = std::make_shared<const PartTemplate>(record.part_template);
+    for (const FitSummary& fit : fits) {
+      if (fit.part_template != record.id) continue;
+      const bool outlier = outliers && fit.status == FitStatus::outlier;
+      (outlier ? *outliers : cluster.members).push_back(fit);
+    }
+    std::ranges::stable_sort(cluster.members, {}, [](const FitSummary& f) { return f.energy.total(); });
+  }
+  if (clusters.empty())
+    for (const PartTemplate& part_template : otherwise)
+      clusters.push_back({std::make_shared<const PartTemplate>(part_template), {}});
+  if (outliers)
+    std::ranges::stable_sort(*outliers, {}, [](const FitSummary& f) { return -f.energy.total(); });
+  std::erase_if(clusters, [](const Cluster& c) { return c.part_template->parts.empty(); });
+  return clusters;
+}
+
+std::string about(const Cluster& cluster) {
+  std::string line = plural(cluster.part_template->parts.size(), "part");
+  if (!cluster.members.empty()) line += ", " + plural(cluster.members.size(), "shape");
+  return line;
+}
+
+bool draw_template(FigurePage& page, const PartTemplate& part_template, bool spread, double left, double top,
+                   double width, double height, const JobControl& control) {
+  const Scene scene = template_scene(part_template, spread);
+  return page.draw_scene(scene, figure_camera(scene, page.viewport(width, height)), left, top, width, height,
+                         control);
+}
+
+// Cells of shapes from left to right, in lines; what has no room is told in the last one.
+struct CellGrid {
+  double left = 0;
+  double top = 0;
+  double cell = 0;
+  std::size_t columns = 1;
+  std::size_t lines = 1;
+};
+
+bool draw_members(FigurePage& page, const Project& project, const std::vector<FitSummary>& members,
+                  const CellGrid& grid, const JobControl& control) {
+  const std::size_t room = grid.columns * grid.lines;
+  const std::size_t drawn = members.size() <= room ? members.size() : room - 1;
+  const auto place = [&](std::size_t i) {
+    return std::pair(grid.left + grid.cell * static_cast<double>(i % grid.columns),
+                     grid.top + grid.cell * static_cast<double>(i / grid.columns));
+  };
+  for (std::size_t i = 0; i < drawn; ++i) {
+    if (control.cancelled()) return false;
+    const auto shape = load_figure_shape(project, members[i].shape);
+    if (!shape) continue;
+    Scene scene;
+    add_shape(scene, *shape, true);
+    const double side = grid.cell - gap / 2;
+    const auto [x, y] = place(i);
+    if (!page.draw_scene(scene, figure_camera(scene, page.viewport(side, side)), x, y, side, side, control))
+      return false;
+  }
+  if (drawn < members.size()) {
+    const auto [x, y] = place(room - 1);
+    page.write("and " + std::to_string(members.size() - drawn), x + gap, y + grid.cell / 2 - small_text,
+               small_text, FigurePage::Style::muted);
+    page.write("more", x + gap, y + grid.cell / 2, small_text, FigurePage::Style::muted);
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<Picture> templates_figure(const FigureRequest& request, const JobControl& control) {
+  const Project project = Project::open(request.project);
+  const std::vector<Cluster> clusters = clusters_of(project, request.templates, nullptr);
+  if (clusters.empty()) throw Error("there is no template to show; make one, or learn some first");
+  FigurePage page(request);
+  const auto columns = static_cast<double>(std::clamp<std::size_t>(clusters.size(), 2, 4));
+  const double width = (1000 - 2 * margin - (columns - 1) * gap) / columns;
+  const double height = 0.85 * width;
+  const double line = height + 2 * text + 2 * gap;
+  page.set_height(2 * margin + line * std::ceil(static_cast<double>(clusters.size()) / columns));
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    const Cluster& cluster = clusters[i];
+    const double column = std::fmod(static_cast<double>(i), columns);
+    // One alone stands in the middle.
+    const double left = clusters.size() == 1 ? (1000 - width) / 2 : margin + column * (width + gap);
+    const double top = margin + line * std::floor(static_cast<double>(i) / columns);
+    if (!draw_template(page, *cluster.part_template, true, left, top, width, height, control))
+      return std::nullopt;
+    page.write(cluster.part_template->name, left, top + height, text, FigurePage::Style::bold, width);
+    page.write(about(cluster), left, top + height + text, small_text, FigurePage::Style::muted, width);
+  }
+  return page.picture();
+}
+
+std::optional<Picture> clusters_figure(const FigureRequest& request, const JobControl& control) {
+  const Project project = Project::open(request.project);
+  std::vector<FitSummary> outliers;
+  std::vector<Cluster> clusters = clusters_of(project, request.templates, &outliers);
+  std::erase_if(clusters, [](const Cluster& cluster) { return cluster.members.empty(); });
+  if (clusters.empty() && outliers.empty())
+    throw Error("no shape is fitted yet; fit a template to all shapes, or learn from them, first");
+  constexpr std::size_t columns = 8;
+  constexpr double cell = (1000 - 2 * margin) / (columns + 2);
+  FigurePage page(request);
+  double height = 2 * margin;
+  const double row = 2 * cell + text + small_text + 2 * gap;
+  height += row * static_cast<double>(clusters.size());
+  if (!outliers.empty()) height += cell + text + small_text + 2 * gap;
+  page.set_height(height);
+  double top = margin;
+  for (const Cluster& cluster : clusters) {
+    page.write(cluster.part_template->name, margin, top, text, FigurePage::Style::bold, 700);
+    double energy = 0;
+    for (const FitSummary& fit : cluster.members)
+      energy += fit.energy.total() / static_cast<double>(cluster.members.size());
+    char line[64];
+    std::snprintf(line, sizeof line, ", mean energy %.3f; best first", energy);
+    page.write(about(cluster) + line, margin, top + text, small_text, FigurePage::Style::muted);
+    const double below = top + text + small_text + gap / 2;
+    if (!draw_template(page, *cluster.part_template, true, margin, below, 2 * cell - gap, 2 * cell - gap,
+                       control) ||
+        !draw_members(page, project, cluster.members, {margin + 2 * cell, below, cell, columns, 2}, control))
+      return std::nullopt;
+    top += row;
+  }
+  if (outliers.empty()) return page.picture();
+  page.write("Outliers", margin, top, text, FigurePage::Style::bold);
+  page.write(plural(outliers.size(), "shape") + " that no template explains; worst first", margin, top + text,
+             small_text, FigurePage::Style::muted);
+  if (!draw_members(page, project, outliers,
+                    {margin, top + text + small_text + gap / 2, cell, columns + 2, 1}, control))
+    return std::nullopt;
+  return page.picture();
+}
+
+}  // namespace archetype
