@@ -70,6 +70,8 @@ Document read_document(const Project& project) {
   // Two of one name, as other programs may write them, could not be told apart.
   Document document;
   document.active = stored.active;
+  if (Corrections corrections = project.corrections(); !corrections.empty())
+    document.corrections = std::make_shared<const Corrections>(std::move(corrections));
   for (const auto& part_template : stored.templates) {
     PartTemplate named = *part_template;
     named.name = unique_template_name(document, named.name, document.templates.size());
@@ -78,10 +80,17 @@ Document read_document(const Project& project) {
   return document;
 }
 
+void store_corrections(Project& project, const Document& document) {
+  project.set_corrections(document.corrections ? *document.corrections : Corrections{});
+}
+
 std::optional<std::string> save_document(const SaveDocument& request, const JobControl&) {
   try {
     Project project = Project::open(request.project);
+    Project::Transaction transaction(project);
     project.set_setting(document_setting, format_document(request.document));
+    store_corrections(project, request.document);
+    transaction.commit();
     return "";
   } catch (const std::exception& error) {
     return std::string("what you edit cannot be saved: ") + error.what();

@@ -54,6 +54,8 @@ using RowsReader = LatestWorker<std::filesystem::path, CollectionRows>;
 
 // The document that was being edited, or else the project's current templates. Throws Error.
 Document read_document(const Project& project);
+// What fits and learning heed, as the document has it now: autosave may be behind.
+void store_corrections(Project& project, const Document& document);
 struct SaveDocument {
   std::filesystem::path project;
   Document document;

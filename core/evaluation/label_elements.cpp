@@ -140,11 +140,12 @@ ElementLabeller::ElementLabeller(const PolygonMesh& mesh, const ShapeSamples& sa
 }
 
 std::vector<std::int16_t> ElementLabeller::label(const PartTemplate& part_template, const ShapeFit& fit,
-                                                 const JobControl& control) const {
+                                                 const JobControl& control,
+                                                 std::span<const PinnedLabel> pinned) const {
   if (fit.parts.size() != part_template.parts.size() || fit.labels.size() != samples_->size()) {
     throw PreconditionError("the fit to label with belongs to another template or shape");
   }
-  auto labels = surface_ ? cut(part_template, fit, control) : vote(fit);
+  auto labels = surface_ ? cut(part_template, fit, control, pinned) : vote(fit, pinned);
   if (control.cancelled()) return {};
   std::replace(labels.begin(), labels.end(), static_cast<std::int16_t>(fit.parts.size()), null_label);
   return labels;
@@ -154,7 +155,8 @@ std::vector<std::int16_t> ElementLabeller::label(const PartTemplate& part_templa
 // of the samples next to it. A face may take the labels of the samples around the one nearest to it, and only
 // that one's label if it lies in the core of its part.
 std::vector<std::int16_t> ElementLabeller::cut(const PartTemplate& part_template, const ShapeFit& fit,
-                                               const JobControl& control) const {
+                                               const JobControl& control,
+                                               std::span<const PinnedLabel> pinned) const {
   const std::size_t parts = fit.parts.size();
   const std::size_t count = parts + 1;
   const auto null = static_cast<std::int16_t>(parts);
@@ -165,7 +167,8 @@ std::vector<std::int16_t> ElementLabeller::cut(const PartTemplate& part_template
   std::vector<BoxDistance> boxes;
   for (const FittedPart& part : fit.parts) boxes.emplace_back(part.box);
 
-  const auto core = core_samples(points_, fit.labels, options_.face_core);
+  auto core = core_samples(points_, fit.labels, options_.face_core);
+  for (const PinnedLabel& pin : pinned) core[pin.sample] = true;
   std::vector<std::vector<std::int16_t>> candidates(samples_->size());
   const auto add_candidate = [&](std::size_t i, std::uint32_t sample) {
     const auto label = fit.labels[sample];
@@ -215,7 +218,8 @@ std::vector<std::int16_t> ElementLabeller::cut(const PartTemplate& part_template
 }
 
 // Each element takes the label of most of its own samples, else of the nearest ones.
-std::vector<std::int16_t> ElementLabeller::vote(const ShapeFit& fit) const {
+std::vector<std::int16_t> ElementLabeller::vote(const ShapeFit& fit,
+                                                std::span<const PinnedLabel> pinned) const {
   const std::size_t count = fit.parts.size() + 1;
   const auto null = static_cast<std::int16_t>(fit.parts.size());
   const auto label_of = [&](std::uint32_t sample) {
@@ -223,6 +227,10 @@ std::vector<std::int16_t> ElementLabeller::vote(const ShapeFit& fit) const {
   };
   std::vector<std::uint32_t> own(elements_.size() * count, 0);
   for (std::uint32_t i = 0; i < samples_->size(); ++i) ++own[samples_->faces[i] * count + label_of(i)];
+  // More than all others together.
+  const auto decides = static_cast<std::uint32_t>(samples_->size());
+  for (const PinnedLabel& pin : pinned)
+    own[samples_->faces[pin.sample] * count + label_of(pin.sample)] += decides;
   std::vector<std::int16_t> labels(elements_.size());
   std::vector<double> votes;
   for (std::size_t e = 0; e < labels.size(); ++e) {
@@ -251,10 +259,11 @@ std::vector<float> ElementLabeller::interpolate(const std::vector<double>& value
 
 std::vector<std::int16_t> label_elements(const PolygonMesh& mesh, const ShapeSamples& samples,
                                          const PartTemplate& part_template, const ShapeFit& fit,
-                                         const FitOptions& options, const JobControl& control) {
+                                         const FitOptions& options, const JobControl& control,
+                                         std::span<const PinnedLabel> pinned) {
   const ElementLabeller labeller(mesh, samples, options, control);
   if (control.cancelled()) return {};
-  return labeller.label(part_template, fit, control);
+  return labeller.label(part_template, fit, control, pinned);
 }
 
 }  // namespace archetype

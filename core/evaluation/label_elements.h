@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/job_control.h"
 #include "core/fitting/alpha_expansion.h"
 #include "core/fitting/fit_options.h"
+#include "core/fitting/pinned_labels.h"
 #include "core/geometry/polygon_mesh.h"
 #include "core/model/part_template.h"
 #include "core/model/shape.h"
@@ -27,9 +29,11 @@ class ElementLabeller {
 
   // The part index of every face of the file (of every point of a point set), in file order; null_label where
   // the fit calls the place an outlier. A cut over the faces where the mesh is usable as a surface, a vote of
-  // the nearest samples where it is a soup. Nothing if cancelled.
+  // the nearest samples where it is a soup. What lies nearest to a pinned sample, which the fit has labelled
+  // so, has its label. Nothing if cancelled.
   std::vector<std::int16_t> label(const PartTemplate& part_template, const ShapeFit& fit,
-                                  const JobControl& control = {}) const;
+                                  const JobControl& control = {},
+                                  std::span<const PinnedLabel> pinned = {}) const;
 
   // Of every element the mean of what the nearest samples have, by their weights. values: one per sample.
   std::vector<float> interpolate(const std::vector<double>& values) const;
@@ -43,8 +47,8 @@ class ElementLabeller {
     std::array<double, nearest_count> weights{};         // by inverse squared distance, together 1
   };
   std::vector<std::int16_t> cut(const PartTemplate& part_template, const ShapeFit& fit,
-                                const JobControl& control) const;
-  std::vector<std::int16_t> vote(const ShapeFit& fit) const;
+                                const JobControl& control, std::span<const PinnedLabel> pinned) const;
+  std::vector<std::int16_t> vote(const ShapeFit& fit, std::span<const PinnedLabel> pinned) const;
 
   const ShapeSamples* samples_;
   FitOptions options_;
@@ -59,6 +63,7 @@ class ElementLabeller {
 // The same for one fit. Half a minute for two million faces.
 std::vector<std::int16_t> label_elements(const PolygonMesh& mesh, const ShapeSamples& samples,
                                          const PartTemplate& part_template, const ShapeFit& fit,
-                                         const FitOptions& options, const JobControl& control = {});
+                                         const FitOptions& options, const JobControl& control = {},
+                                         std::span<const PinnedLabel> pinned = {});
 
 }  // namespace archetype

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/base/error.h"
@@ -10,6 +11,7 @@
 #include "core/fitting/deformation.h"
 #include "core/fitting/energy.h"
 #include "core/fitting/evidence.h"
+#include "core/fitting/expected_template.h"
 #include "core/fitting/label_costs.h"
 #include "core/fitting/point_graph.h"
 #include "core/fitting/starting_boxes.h"
@@ -50,36 +52,28 @@ struct Alternation {
   std::vector<ShapeFit> steps;  // if they are wanted: the start and after each alternation
 };
 
-// Differs from the paper: a fit expects nothing more closely than this (normalised units). Spreads that were
-// learned from many shapes tell templates apart (template_choice.h), but would hold a shape that is a little
-// different so tightly that its labels follow the boxes instead of the surface.
-constexpr double least_position_stddev = 0.05;
-constexpr double least_scale_stddev = 0.025;
-
-PartTemplate loosened(PartTemplate part_template) {
-  for (TemplatePart& part : part_template.parts) {
-    part.position.stddev = part.position.stddev.cwiseMax(least_position_stddev);
-    part.scale.stddev = part.scale.stddev.cwiseMax(least_scale_stddev);
-  }
-  return part_template;
-}
-
 // What stays the same over yaws and alternations.
 class Fitter {
  public:
-  Fitter(const PartTemplate& part_template, const ShapeSamples& samples, const FitOptions& options)
-      : Fitter(part_template, samples, make_point_graph(samples, options), options) {}
+  Fitter(const PartTemplate& part_template, const ShapeSamples& samples, const FitOptions& options,
+         std::span<const PinnedLabel> pinned)
+      : Fitter(part_template, samples, make_point_graph(samples, options), options, pinned) {}
   Fitter(const PartTemplate& part_template, const ShapeSamples& samples, LabellingGraph graph,
-         const FitOptions& options)
-      : template_(loosened(with_expected_features(part_template))),
+         const FitOptions& options, std::span<const PinnedLabel> pinned)
+      : template_(expected_template(part_template)),
         samples_(samples),
         options_(options),
+        pinned_(pinned),
         tree_(samples.points),
         surface_(sample_template(template_, options.template_points)),
         graph_(std::move(graph)),
         unit_(options.distance_unit * samples.radius) {
     if (template_.parts.empty()) throw PreconditionError("a template without parts cannot be fitted");
     if (samples.size() == 0) throw PreconditionError("a shape without samples cannot be fitted");
+    for (const PinnedLabel& pin : pinned) {
+      if (pin.sample >= samples.size() || pin.label >= static_cast<std::int16_t>(template_.parts.size()))
+        throw PreconditionError("a sample is pinned that is not there, or to a part that is not");
+    }
   }
 
   // The shape turned by `yaw` and moved by `translation`; `labels` may be empty.
@@ -103,11 +97,13 @@ class Fitter {
     match({&tree_, points_, run.fit.yaw_quarters, run.translation}, run.labels, boxes, surface_, matches);
   }
   void label(const Alternation& run, std::span<const double> features, std::vector<std::int16_t>& labels);
+  void hold_pinned(std::size_t null, std::vector<std::int16_t>& labels);
   std::span<const double> features_of(int yaw);
 
   PartTemplate template_;
   const ShapeSamples& samples_;
   const FitOptions& options_;
+  std::span<const PinnedLabel> pinned_;
   KdTree tree_;
   TemplateSurface surface_;
   LabellingGraph graph_;
@@ -148,8 +144,20 @@ void Fitter::label(const Alternation& run, std::span<const double> features,
           static_cast<std::int16_t>(std::min_element(row, row + static_cast<std::ptrdiff_t>(count)) - row);
     }
   }
+  hold_pinned(parts, labels);
   expand_labels(graph_, costs_, count, labels, workspace_, options_.expansion);
   std::replace(labels.begin(), labels.end(), null, null_label);
+}
+
+// What a sample is pinned to costs it nothing, and all else is forbidden.
+void Fitter::hold_pinned(std::size_t null, std::vector<std::int16_t>& labels) {
+  for (const PinnedLabel& pin : pinned_) {
+    const std::size_t label = pin.label == null_label ? null : static_cast<std::size_t>(pin.label);
+    const auto row = std::span(costs_).subspan(pin.sample * (null + 1), null + 1);
+    std::ranges::fill(row, forbidden_cost);
+    row[label] = 0;
+    labels[pin.sample] = static_cast<std::int16_t>(label);
+  }
 }
 
 Alternation Fitter::start(int yaw, const Vec3& translation, std::vector<Box> boxes,
@@ -264,8 +272,12 @@ bool Fitter::take_round_solids(Alternation& run) {
 std::optional<std::size_t> Fitter::unfounded_part(const Alternation& run) {
   const Alternation at = as_fitted(run);
   label_costs(points_, at.boxes, features_of(at.fit.yaw_quarters), unit_, options_, costs_);
-  const std::vector<double> evidence = part_evidence({points_, at.labels, &surface_, &at.matches, unit_},
-                                                     template_, at.boxes, costs_, options_);
+  std::vector<double> evidence = part_evidence({points_, at.labels, &surface_, &at.matches, unit_}, template_,
+                                               at.boxes, costs_, options_);
+  for (const PinnedLabel& pin : pinned_) {
+    if (pin.label != null_label)
+      evidence[static_cast<std::size_t>(pin.label)] = std::numeric_limits<double>::infinity();
+  }
   const auto least = std::min_element(evidence.begin(), evidence.end());
   if (*least >= 0) return std::nullopt;
   return static_cast<std::size_t>(least - evidence.begin());
@@ -291,8 +303,8 @@ bool run_to_end(Fitter& fitter, Alternation& run, const FitOptions& options, con
 
 std::optional<ShapeFit> fit_template(const PartTemplate& part_template, const ShapeSamples& samples,
                                      const FitOptions& options, const JobControl& control,
-                                     FitRecording* recording) {
-  Fitter fitter(part_template, samples, options);
+                                     FitRecording* recording, std::span<const PinnedLabel> pinned) {
+  Fitter fitter(part_template, samples, options, pinned);
   std::vector<Alternation> runs = fitter.start_all();
   const auto advance = [&](Alternation& run) {
     if (recording && run.steps.empty()) run.steps.push_back(run.fit);
@@ -376,8 +388,8 @@ ShapeFit of_one_yaw(const Alternation& run) {
 
 std::optional<ShapeFit> refit_template(const PartTemplate& part_template, const ShapeSamples& samples,
                                        const ShapeFit& start, const FitOptions& options,
-                                       const JobControl& control) {
-  Fitter fitter(part_template, samples, options);
+                                       const JobControl& control, std::span<const PinnedLabel> pinned) {
+  Fitter fitter(part_template, samples, options, pinned);
   const NearStart near(part_template, samples, start);
   const auto advance = [&](Alternation& state) { fitter.advance(state); };
   Alternation run = near.from_means(fitter);
@@ -392,8 +404,9 @@ std::optional<ShapeFit> refit_template(const PartTemplate& part_template, const 
 
 std::optional<ShapeFit> follow_template(const PartTemplate& part_template, const ShapeSamples& samples,
                                         const LabellingGraph& graph, const ShapeFit& start,
-                                        const FitOptions& options, const JobControl& control) {
-  Fitter fitter(part_template, samples, graph, options);
+                                        const FitOptions& options, const JobControl& control,
+                                        std::span<const PinnedLabel> pinned) {
+  Fitter fitter(part_template, samples, graph, options, pinned);
   const NearStart near(part_template, samples, start);
   const auto settle = [&](Alternation& state) {
     while (!state.ended && !control.cancelled()) fitter.advance(state);

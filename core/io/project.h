@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "core/base/picture.h"
 #include "core/model/part_template.h"
 #include "core/model/shape.h"
+#include "core/model/shape_correction.h"
 #include "core/model/shape_fit.h"
 
 namespace archetype {
@@ -38,6 +40,15 @@ struct ShapeRecord {
   std::uint64_t seed = 1;
   bool up_decided = false;  // `up` was decided over the collection (`auto`), not given
 };
+
+// The same for samples that are the same: of the file and how it was sampled.
+ContentHash sampling_of(const ShapeRecord& record);
+
+// What was corrected by hand, of the shapes that were. Never null, and shared between snapshots.
+using Corrections = std::map<ShapeId, std::shared_ptr<const ShapeCorrection>>;
+// By value; null is none.
+bool same_corrections(const std::shared_ptr<const Corrections>& a,
+                      const std::shared_ptr<const Corrections>& b);
 
 struct RefusedInput {
   std::filesystem::path path;
@@ -144,6 +155,11 @@ class Project {
   std::optional<FitRecord> fit(ShapeId id) const;
   std::vector<FitSummary> fits() const;  // ordered as shapes()
   void clear_fits();                     // and the labels
+
+  // What fits and learning have to heed.
+  Corrections corrections() const;
+  // Exactly these from now on; those of shapes that are not there are left out.
+  void set_corrections(const Corrections& corrections);
 
   // The part index of every element of the file, as label_elements() gives them.
   void store_labels(ShapeId id, const std::vector<std::int16_t>& labels);

@@ -77,7 +77,15 @@ CREATE TABLE settings (
 ) STRICT;
 )sql";
 
-constexpr std::array<const char*, 1> migrations{version_1};
+// What was corrected by hand.
+constexpr const char* version_2 = R"sql(
+CREATE TABLE corrections (
+  shape INTEGER PRIMARY KEY REFERENCES shapes(id) ON DELETE CASCADE,
+  json TEXT NOT NULL
+) STRICT;
+)sql";
+
+constexpr std::array<const char*, 2> migrations{version_1, version_2};
 
 void migrate(Database& database, std::int64_t from) {
   WriteScope scope(database);
@@ -113,7 +121,7 @@ void check_and_migrate_schema(Database& database) {
                                          "); open it with that version or a later one");
   }
   if (version < 1) throw FileError(database.path(), "has no valid project version; restore it from a copy");
-  if (version < newest_project_version()) migrate(database, version);
+  if (version < newest_project_version() && database.writable()) migrate(database, version);
 }
 
 }  // namespace archetype

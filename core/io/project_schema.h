@@ -14,7 +14,7 @@ std::int64_t newest_project_version();
 void create_schema(Database& database);
 
 // Throws FileError for an SQLite file of another program and for a project of a newer version; migrates older
-// ones.
+// ones. One that cannot be written is read as it is: what newer versions added is not there.
 void check_and_migrate_schema(Database& database);
 
 }  // namespace archetype

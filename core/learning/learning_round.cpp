@@ -7,6 +7,7 @@
 
 #include "core/base/parallel.h"
 #include "core/fitting/agreed_yaws.h"
+#include "core/fitting/pinned_labels.h"
 #include "core/learning/reestimate.h"
 #include "core/learning/sightings.h"
 
@@ -27,7 +28,7 @@ class Round {
  public:
   Round(std::span<const LearnedTemplate> templates, std::span<const ShapeSamples> judging,
         std::span<const ShapeSamples> others, const FitOptions& fit_options, const LearnOptions& options,
-        unsigned threads, const JobControl& control)
+        unsigned threads, const JobControl& control, std::span<const ShapeCorrection* const> corrections)
       : judging_samples_(judging),
         judging_(judging.size()),
         fit_options_(fit_options),
@@ -36,6 +37,10 @@ class Round {
         control_(control) {
     for (const ShapeSamples& each : judging) shapes_.push_back({&each, fit_options.yaw_costs});
     for (const ShapeSamples& each : others) shapes_.push_back({&each, fit_options.yaw_costs});
+    for (std::size_t i = 0; i < corrections.size(); ++i) {
+      shapes_[i].correction = corrections[i];
+      heed_yaw(shapes_[i]);
+    }
     result_.templates.assign(templates.begin(), templates.end());
     for (std::size_t t = 0; t < templates.size(); ++t) result_.origins.push_back({t, false});
   }
@@ -58,6 +63,30 @@ class Round {
   }
 
  private:
+  static void heed_yaw(LearningShape& shape) {
+    if (shape.correction) shape.yaw_costs = pinned_yaw_costs(shape.yaw_costs, *shape.correction);
+  }
+
+  // By template; empty where any may be taken.
+  std::vector<bool> allowed_of(std::size_t shape) const {
+    const ShapeCorrection* correction = shapes_[shape].correction;
+    if (!correction || correction->part_template.empty()) return {};
+    std::vector<std::string> names;
+    for (const LearnedTemplate& each : result_.templates) names.push_back(each.part_template.name);
+    return allowed_templates(*correction, names);
+  }
+  bool may_take(std::size_t shape, std::size_t t) const {
+    const std::vector<bool> allowed = allowed_of(shape);
+    return allowed.empty() || allowed[t];
+  }
+  bool is_pinned_to(std::size_t shape, std::size_t t) const {
+    const ShapeCorrection* correction = shapes_[shape].correction;
+    return correction && correction->part_template == result_.templates[t].part_template.name;
+  }
+  bool must_learn(std::size_t shape) const {
+    return shapes_[shape].correction && shapes_[shape].correction->mark == ShapeMark::learn;
+  }
+
   // Once to agree on the yaws, and once with what they cost then. False if cancelled.
   bool fit_all() {
     if (!take_best(judging_)) return false;
@@ -65,7 +94,10 @@ class Round {
     for (const Taken& each : taken_) energies.push_back(each.seen.yaw_energies);
     const AgreedYaws agreed(judging_samples_, energies);
     return parallel_for(shapes_.size(), threads_, {control_.stop, {}}, "",
-                        [&](std::size_t i) { shapes_[i].yaw_costs = agreed.costs(*shapes_[i].samples); }) &&
+                        [&](std::size_t i) {
+                          shapes_[i].yaw_costs = agreed.costs(*shapes_[i].samples);
+                          heed_yaw(shapes_[i]);
+                        }) &&
            take_best(shapes_.size());
   }
 
@@ -77,7 +109,8 @@ class Round {
       auto seen = sightings(result_.templates[t].part_template, shapes, fit_options_, threads_, control_);
       if (!seen) return false;
       for (std::size_t i = 0; i < count; ++i) {
-        if ((*seen)[i].choice < taken_[i].seen.choice) taken_[i] = {t, std::move((*seen)[i])};
+        if ((*seen)[i].choice < taken_[i].seen.choice && may_take(i, t))
+          taken_[i] = {t, std::move((*seen)[i])};
       }
     }
     return true;
@@ -108,19 +141,23 @@ class Round {
            std::log(static_cast<double>(judging_));
   }
 
-  // The observations of the shapes that template `t` is learned from, the best fits first.
+  // The observations of the shapes that template `t` is learned from, the best fits first: those that fit
+  // well, and those that it was said to learn from.
   std::vector<std::vector<PartObservation>> learning_set(std::size_t t) const {
-    std::vector<const Sighting*> members;
-    for (const Taken& each : taken_) {
-      if (each.part_template == t) members.push_back(&each.seen);
+    std::vector<std::size_t> members;
+    for (std::size_t i = 0; i < taken_.size(); ++i) {
+      if (taken_[i].part_template == t) members.push_back(i);
     }
-    std::ranges::stable_sort(members, {}, &Sighting::energy);
+    const auto energy = [this](std::size_t i) { return taken_[i].seen.energy; };
+    std::ranges::stable_sort(members, {}, energy);
     std::vector<std::vector<PartObservation>> observed;
     const double share = std::ceil(options_.learning_share * static_cast<double>(members.size()));
-    for (const Sighting* each : members) {
-      if (static_cast<double>(observed.size()) >= share) break;
-      if (each->energy > options_.tau * members.front()->energy) break;
-      observed.push_back(each->parts);
+    double fit_well = 0;
+    for (const std::size_t i : members) {
+      const bool fits = fit_well < share && energy(i) <= options_.tau * energy(members.front());
+      if (!fits && !must_learn(i)) continue;
+      if (fits) fit_well += 1;
+      observed.push_back(taken_[i].seen.parts);
     }
     return observed;
   }
@@ -147,7 +184,7 @@ class Round {
     learned.part_template = proposal;
     result_.origins[t].changed = true;
     for (std::size_t i = 0; i < judging_; ++i) {
-      if (taken_[i].part_template == t || (*seen)[i].choice < taken_[i].seen.choice)
+      if (taken_[i].part_template == t || ((*seen)[i].choice < taken_[i].seen.choice && may_take(i, t)))
         taken_[i] = {t, std::move((*seen)[i])};
     }
     return true;
@@ -159,7 +196,7 @@ class Round {
     TemplateMembers members;
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
-      if (taken_[i].part_template != t) continue;
+      if (taken_[i].part_template != t || is_pinned_to(i, t)) continue;
       indices.push_back(i);
       members.shapes.push_back(shapes_[i]);
       members.seen.push_back(taken_[i].seen);
@@ -183,6 +220,22 @@ class Round {
       taken_[indices[m]] = {split->to_child[m] ? result_.templates.size() : t, std::move(split->seen[m])};
     result_.templates.push_back(std::move(split->child));
     result_.origins.push_back({t, true});
+    return see_pinned_again(t);
+  }
+
+  // Those that stay with template `t` whatever it becomes. False if cancelled.
+  bool see_pinned_again(std::size_t t) {
+    std::vector<std::size_t> indices;
+    std::vector<LearningShape> shapes;
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      if (taken_[i].part_template != t || !is_pinned_to(i, t)) continue;
+      indices.push_back(i);
+      shapes.push_back(shapes_[i]);
+    }
+    if (indices.empty()) return true;
+    auto seen = sightings(result_.templates[t].part_template, shapes, fit_options_, threads_, control_);
+    if (!seen) return false;
+    for (std::size_t k = 0; k < indices.size(); ++k) taken_[indices[k]].seen = std::move((*seen)[k]);
     return true;
   }
 
@@ -237,8 +290,9 @@ std::optional<LearningRound> learning_round(std::span<const LearnedTemplate> tem
                                             std::span<const ShapeSamples> judging,
                                             std::span<const ShapeSamples> others,
                                             const FitOptions& fit_options, const LearnOptions& options,
-                                            unsigned threads, const JobControl& control) {
-  return Round(templates, judging, others, fit_options, options, threads, control).run();
+                                            unsigned threads, const JobControl& control,
+                                            std::span<const ShapeCorrection* const> corrections) {
+  return Round(templates, judging, others, fit_options, options, threads, control, corrections).run();
 }
 
 }  // namespace archetype

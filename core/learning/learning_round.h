@@ -41,10 +41,15 @@ struct LearningRound {
 // cancelled. Deterministic whatever the number of threads; about 3 fits per template and judging shape and
 // one per other shape, and those of the divisions, some 30 per shape. Differs from the paper, which keeps
 // every round's templates: so learning can leave a collection worse.
+// corrections: what was corrected by hand, one per shape with the judging ones first, null where nothing was;
+// or none at all. Pinned yaws, templates and labels hold in all fits, and pinned yaws count when yaws are
+// decided; shapes pinned to a template stay with it when it is divided. Shapes marked to be learned from are
+// in the learning set of their template whatever their energy. Outliers are for the caller to leave out.
 std::optional<LearningRound> learning_round(std::span<const LearnedTemplate> templates,
                                             std::span<const ShapeSamples> judging,
                                             std::span<const ShapeSamples> others,
                                             const FitOptions& fit_options, const LearnOptions& options,
-                                            unsigned threads, const JobControl& control);
+                                            unsigned threads, const JobControl& control,
+                                            std::span<const ShapeCorrection* const> corrections = {});
 
 }  // namespace archetype

@@ -55,7 +55,10 @@ std::optional<std::vector<Sighting>> sightings(const PartTemplate& part_template
     const ShapeSamples& samples = *shapes[i].samples;
     FitOptions shape_options = options;
     shape_options.yaw_costs = shapes[i].yaw_costs;
-    const auto fit = fit_template(part_template, samples, shape_options, {control.stop, {}});
+    std::vector<PinnedLabel> pinned;
+    if (shapes[i].correction)
+      pinned = pinned_labels(shapes[i].correction->pinned, part_template, samples.size());
+    const auto fit = fit_template(part_template, samples, shape_options, {control.stop, {}}, nullptr, pinned);
     if (!fit) return;
     Sighting& seen = result[i];
     seen.choice = choice_energy(*fit, part_template, options) +

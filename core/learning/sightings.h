@@ -13,6 +13,7 @@
 #include "core/learning/reestimate.h"
 #include "core/model/part_template.h"
 #include "core/model/shape.h"
+#include "core/model/shape_correction.h"
 
 namespace archetype {
 
@@ -20,6 +21,7 @@ namespace archetype {
 struct LearningShape {
   const ShapeSamples* samples = nullptr;
   std::array<double, 4> yaw_costs{};
+  const ShapeCorrection* correction = nullptr;  // by hand, of these samples; null: none
 };
 
 // All that learning needs of a fit.
@@ -31,8 +33,8 @@ struct Sighting {
   std::vector<PartObservation> parts;  // one per part of the template; the boxes are those of free_boxes()
 };
 
-// The template fitted to each of the shapes, in their order. Nothing if cancelled. Deterministic whatever the
-// number of threads.
+// The template fitted to each of the shapes, in their order, with the labels that are pinned. Nothing if
+// cancelled. Deterministic whatever the number of threads.
 std::optional<std::vector<Sighting>> sightings(const PartTemplate& part_template,
                                                std::span<const LearningShape> shapes,
                                                const FitOptions& options, unsigned threads,

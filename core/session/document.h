@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/io/project.h"
 #include "core/model/part_template.h"
 
 namespace archetype {
@@ -16,6 +17,7 @@ namespace archetype {
 struct Document {
   std::vector<std::shared_ptr<const PartTemplate>> templates;  // never null
   std::size_t active = 0;  // the template being edited and fitted; 0 while there is none
+  std::shared_ptr<const Corrections> corrections = {};  // of single shapes and their fits; null: none
 
   // Null while there is no template.
   const PartTemplate* active_template() const {
@@ -23,7 +25,10 @@ struct Document {
   }
 };
 
-// By value of the templates, not by address.
+// The correction of a shape; null where there is none.
+const ShapeCorrection* correction_of(const Document& document, ShapeId shape);
+
+// By value of the templates and corrections, not by address.
 bool operator==(const Document& a, const Document& b);
 
 }  // namespace archetype

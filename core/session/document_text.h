@@ -11,7 +11,8 @@ namespace archetype {
 
 std::string format_document(const Document& document);
 
-// Throws InputError; `name` is only used in its message. parse_document(format_document(d)) == d.
+// Throws InputError; `name` is only used in its message. parse_document(format_document(d)) == d, but for
+// what was corrected of single shapes, which has a table of its own in the project file.
 Document parse_document(std::string_view text, const std::filesystem::path& name);
 
 }  // namespace archetype

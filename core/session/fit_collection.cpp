@@ -11,6 +11,7 @@
 #include "core/evaluation/label_elements.h"
 #include "core/fitting/agreed_yaws.h"
 #include "core/fitting/fit_template.h"
+#include "core/fitting/pinned_labels.h"
 #include "core/fitting/template_choice.h"
 #include "core/session/commit_pace.h"
 #include "core/session/fit_state.h"
@@ -25,11 +26,17 @@ namespace {
 struct Work {
   ShapeRecord shape;
   ShapeSamples samples;
+  const ShapeCorrection* correction = nullptr;  // null: none
   std::optional<ShapeFit> fit;
   std::size_t part_template = 0;
   bool fit_is_stored = false;  // by a run that could not label it
   std::optional<std::vector<std::int16_t>> labels;
   std::string refused;  // the reason, or empty
+
+  std::vector<PinnedLabel> pinned(const PartTemplate& of) const {
+    if (!correction || correction->sampling != sampling_of(shape)) return {};
+    return pinned_labels(correction->pinned, of, samples.size());
+  }
   bool cancelled = false;
 };
 
@@ -64,6 +71,8 @@ class FitRun {
          const JobControl& control)
       : project_(project), templates_(templates), options_(options), control_(control) {
     stop_only_.stop = control.stop;
+    corrections_ = project.corrections();
+    for (const PartTemplate& each : templates) template_names_.push_back(each.name);
   }
 
   FitCollectionReport run(unsigned threads) {
@@ -91,7 +100,7 @@ class FitRun {
   void find_work() {
     std::vector<ShapeId> done;
     for (const FitSummary& fit : project_.fits()) {
-      if (fit.state == state_ && fit.has_labels) done.push_back(fit.shape);
+      if (fit.state == state_of(fit.shape) && fit.has_labels) done.push_back(fit.shape);
     }
     report_.kept = done.size();
     std::ranges::sort(done);
@@ -100,17 +109,32 @@ class FitRun {
     }
   }
 
-  // A fit of this run's templates and options.
+  const ShapeCorrection* correction_of(ShapeId id) const {
+    const auto found = corrections_.find(id);
+    return found == corrections_.end() ? nullptr : found->second.get();
+  }
+  ContentHash state_of(ShapeId id) const { return corrected_fit_state(state_, correction_of(id)); }
+  FitStatus status_of(ShapeId id) const {
+    const ShapeCorrection* correction = correction_of(id);
+    if (!correction || correction->mark == ShapeMark::none) return FitStatus::fitted;
+    return correction->mark == ShapeMark::outlier ? FitStatus::outlier : FitStatus::learned;
+  }
+
+  // A fit of this run's templates, options and corrections.
   std::optional<FitRecord> stored_fit(ShapeId id) const {
     std::optional<FitRecord> stored = project_.fit(id);
-    if (stored && stored->state != state_) stored.reset();
+    if (stored && stored->state != state_of(id)) stored.reset();
     return stored;
   }
 
   // From shapes spread over the whole collection, whatever is done already: a run that was stopped goes on
   // with the same. False if cancelled.
   bool agree_on_yaws(unsigned threads) {
-    if (std::ranges::all_of(todo_, [this](ShapeId id) { return stored_fit(id).has_value(); })) return true;
+    const auto need_not_ask = [this](ShapeId id) {
+      const ShapeCorrection* correction = correction_of(id);
+      return (correction && correction->yaw_quarters) || stored_fit(id).has_value();
+    };
+    if (std::ranges::all_of(todo_, need_not_ask)) return true;
     const std::vector<ShapeId> ids = project_.shape_ids();
     const std::size_t count = std::min(ids.size(), AgreedYaws::most_references);
     std::vector<ShapeSamples> references;
@@ -120,7 +144,7 @@ class FitRun {
     const bool all = parallel_for(references.size(), threads, control_, "finding which way shapes face",
                                   [&](std::size_t i) {
                                     try {
-                                      if (const auto best = best_fit(references[i], options_))
+                                      if (const auto best = best_fit(references[i], options_, nullptr))
                                         energies[i] = best->fit.yaw_energies;
                                     } catch (const NumericError&) {  // to be refused when its turn comes
                                     }
@@ -134,6 +158,7 @@ class FitRun {
     Work& work = slot(i) = {};
     work.shape = project_.find_shape(todo_[i]).value();
     work.samples = project_.samples(todo_[i]);
+    work.correction = correction_of(todo_[i]);
     std::optional<FitRecord> stored = stored_fit(todo_[i]);
     if (!stored) return;
     const auto id = std::ranges::find(template_ids_, stored->part_template);
@@ -157,12 +182,19 @@ class FitRun {
     ShapeFit fit;
     std::size_t part_template = 0;
   };
-  // Nothing if cancelled.
-  std::optional<BestFit> best_fit(const ShapeSamples& samples, const FitOptions& options) const {
+  // Heeds what was corrected of the shape of `work`, if it is given. Nothing if cancelled.
+  std::optional<BestFit> best_fit(const ShapeSamples& samples, const FitOptions& options,
+                                  const Work* work) const {
     std::optional<BestFit> best;
     double least = 0;
+    const bool corrected = work && work->correction;
+    const std::vector<bool> allowed =
+        allowed_templates(corrected ? *work->correction : ShapeCorrection{}, template_names_);
     for (std::size_t t = 0; t < templates_.size(); ++t) {
-      std::optional<ShapeFit> fit = fit_template(templates_[t], samples, options, stop_only_);
+      if (!allowed[t]) continue;
+      const auto pinned = corrected ? work->pinned(templates_[t]) : std::vector<PinnedLabel>{};
+      std::optional<ShapeFit> fit =
+          fit_template(templates_[t], samples, options, stop_only_, nullptr, pinned);
       if (!fit) return {};
       if (!std::isfinite(fit->energy.total())) throw NumericError("the fit has no finite energy");
       const double energy = choice_energy(*fit, templates_[t], options) +
@@ -176,8 +208,11 @@ class FitRun {
 
   void find_best_fit(Work& work) const {
     FitOptions options = options_;
-    options.yaw_costs = agreed_->costs(work.samples);
-    std::optional<BestFit> best = best_fit(work.samples, options);
+    if (work.correction && work.correction->yaw_quarters)
+      options.yaw_costs = pinned_yaw_costs({}, *work.correction);
+    else
+      options.yaw_costs = agreed_->costs(work.samples);
+    std::optional<BestFit> best = best_fit(work.samples, options, &work);
     if (!best) return;
     work.fit = std::move(best->fit);
     work.part_template = best->part_template;
@@ -185,8 +220,9 @@ class FitRun {
 
   // Throws an Error that says why the elements cannot be labelled.
   void label_file(Work& work) const {
-    work.labels = label_elements(read_imported(work.shape), work.samples, templates_[work.part_template],
-                                 *work.fit, options_, stop_only_);
+    const PartTemplate& part_template = templates_[work.part_template];
+    work.labels = label_elements(read_imported(work.shape), work.samples, part_template, *work.fit, options_,
+                                 stop_only_, work.pinned(part_template));
     if (!control_.cancelled()) return;
     work.labels.reset();
     work.cancelled = true;
@@ -210,8 +246,8 @@ class FitRun {
     Project::Transaction transaction(project_);
     for (const Work& work : pending_) {
       if (!work.fit_is_stored) {
-        project_.store_fit(
-            {work.shape.id, template_ids_[work.part_template], FitStatus::fitted, *work.fit, state_});
+        const ShapeId id = work.shape.id;
+        project_.store_fit({id, template_ids_[work.part_template], status_of(id), *work.fit, state_of(id)});
       }
       if (work.labels) project_.store_labels(work.shape.id, *work.labels);
     }
@@ -225,8 +261,10 @@ class FitRun {
   const FitOptions& options_;
   const JobControl& control_;
   JobControl stop_only_;  // single fits do not report
-  ContentHash state_;
-  std::optional<AgreedYaws> agreed_;  // unless every shape has a fit
+  ContentHash state_;     // of shapes without corrections
+  Corrections corrections_;
+  std::vector<std::string> template_names_;
+  std::optional<AgreedYaws> agreed_;  // unless every shape has a fit or a pinned yaw
   std::vector<TemplateId> template_ids_;
   std::vector<ShapeId> todo_;
   std::vector<Work> ring_;

@@ -15,7 +15,10 @@ struct FitCollectionReport {
 };
 
 // Each shape takes the template with the least choice_energy(). Fits and labels are stored as they are made,
-// in batches, so a stopped run goes on from there. `templates` become the current set of the project.
+// in batches, so a stopped run goes on from there. `templates` become the current set of the project. What
+// was corrected by hand (Project::corrections()) is heeded: pinned yaws, templates and labels limit the fit
+// of their own shape and say nothing to others, and what was marked as outlier or to be learned from has that
+// status. A shape whose corrections have changed is fitted anew.
 FitCollectionReport fit_collection(Project& project, const std::vector<PartTemplate>& templates,
                                    const FitOptions& options, unsigned threads, const JobControl& control);
 

@@ -2,6 +2,7 @@
 #include "core/session/fit_state.h"
 
 #include "core/base/number_text.h"
+#include "core/io/correction_text.h"
 #include "core/io/template_file.h"
 
 namespace archetype {
@@ -45,6 +46,12 @@ ContentHash fit_state(const std::vector<PartTemplate>& templates, const FitOptio
     text += name + "=" + number_text(value) + "\n";
   }
   for (const PartTemplate& part_template : templates) text += format_template(part_template);
+  return hash_content(std::as_bytes(std::span(text)));
+}
+
+ContentHash corrected_fit_state(const ContentHash& state, const ShapeCorrection* correction) {
+  if (!correction || correction->empty()) return state;
+  const std::string text = state.to_hex() + format_correction(*correction);
   return hash_content(std::as_bytes(std::span(text)));
 }
 

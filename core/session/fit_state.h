@@ -7,6 +7,7 @@
 
 #include "core/base/hash.h"
 #include "core/fitting/fit_options.h"
+#include "core/io/project.h"
 #include "core/model/part_template.h"
 
 namespace archetype {
@@ -19,5 +20,7 @@ inline constexpr const char* fit_options_setting = "fit.options";
 
 // Of everything that decides a fit besides the shape: templates, options and the version of the program.
 ContentHash fit_state(const std::vector<PartTemplate>& templates, const FitOptions& options);
+// The same for one shape of the collection: where something of it was corrected, that too. Null: nothing.
+ContentHash corrected_fit_state(const ContentHash& state, const ShapeCorrection* correction);
 
 }  // namespace archetype

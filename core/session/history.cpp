@@ -16,6 +16,23 @@ std::size_t bytes_of(const PartTemplate& part_template) {
   return bytes;
 }
 
+// What corrections take beyond those that they share with the ones before.
+std::size_t bytes_of(const Corrections& corrections, const Corrections* before) {
+  constexpr std::size_t node = sizeof(Corrections::value_type) + 4 * sizeof(void*);
+  std::size_t bytes = sizeof(Corrections);
+  for (const auto& [shape, correction] : corrections) {
+    bytes += node;
+    if (before) {
+      const auto same = before->find(shape);
+      if (same != before->end() && same->second == correction) continue;
+    }
+    bytes += sizeof(ShapeCorrection) + correction->part_template.size();
+    for (const auto& [part, samples] : correction->pinned)
+      bytes += node + part.size() + samples.size() * sizeof(samples[0]);
+  }
+  return bytes;
+}
+
 // What `document` takes beyond the templates that it shares with `before`.
 std::size_t cost(const Document& document, const Document* before) {
   std::size_t bytes = sizeof(History::Entry) + document.templates.size() * sizeof(document.templates[0]);
@@ -24,6 +41,8 @@ std::size_t cost(const Document& document, const Document* before) {
                                             part_template) != before->templates.end();
     if (!shared) bytes += bytes_of(*part_template);
   }
+  if (document.corrections && (!before || before->corrections != document.corrections))
+    bytes += bytes_of(*document.corrections, before ? before->corrections.get() : nullptr);
   return bytes;
 }
 

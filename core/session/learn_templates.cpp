@@ -13,9 +13,11 @@
 #include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/base/random.h"
+#include "core/io/correction_text.h"
 #include "core/io/template_file.h"
 #include "core/learning/learning_round.h"
 #include "core/session/fit_state.h"
+#include "core/session/learning_corrections.h"
 
 namespace archetype {
 
@@ -58,9 +60,12 @@ ContentHash learn_request(const Project& project, const std::vector<PartTemplate
         static_cast<double>(smallest_set), means, spreads, spread_factor, feature_spread, agreeing_share,
         cluster_share, static_cast<double>(smallest_cluster)})
     text += number_text(value) + "\n";
+  const Corrections corrections = project.corrections();
   for (const ShapeRecord& shape : project.shapes()) {
     text += shape.name + " " + shape.hash.to_hex() + " " + std::string(to_string(shape.up)) + " " +
             std::to_string(shape.requested_points) + " " + std::to_string(shape.seed) + "\n";
+    const auto correction = corrections.find(shape.id);
+    if (correction != corrections.end()) text += format_correction(*correction->second) + "\n";
   }
   return hash_content(std::as_bytes(std::span(text)));
 }
@@ -195,7 +200,9 @@ class LearnRun {
         options_(options),
         seed_(seed),
         threads_(threads),
-        control_(control) {}
+        control_(control),
+        corrections_(project),
+        shapes_(corrections_.without_outliers(project.shape_ids())) {}
 
   LearnReport run(const std::vector<PartTemplate>& initial, bool fresh) {
     const Clock::time_point begun = Clock::now();
@@ -220,7 +227,7 @@ class LearnRun {
 
   void begin(const std::vector<PartTemplate>& initial, bool fresh) {
     const std::string request = learn_request(project_, initial, fit_options_, options_, seed_).to_hex();
-    const std::vector<ShapeId> judging = judging_shapes(project_.shape_ids(), options_, seed_);
+    const std::vector<ShapeId> judging = judging_shapes(shapes_, options_, seed_);
     if (!fresh) {
       std::optional<State> stored = stored_state(project_);
       if (stored && stored->request == request && stored->judging == judging) {
@@ -248,11 +255,11 @@ class LearnRun {
 
   // False if cancelled.
   bool learn() {
-    const std::vector<ShapeId> shapes = project_.shape_ids();
     const std::set<ShapeId> judging_ids(state_.judging.begin(), state_.judging.end());
     std::vector<ShapeId> rest;
-    for (const ShapeId id : shapes) {
-      if (!judging_ids.contains(id)) rest.push_back(id);
+    std::vector<ShapeId> always;
+    for (const ShapeId id : shapes_) {
+      if (!judging_ids.contains(id)) (corrections_.must_learn(id) ? always : rest).push_back(id);
     }
     std::vector<ShapeSamples> judging;
     if (!state_.settled && !load(project_, state_.judging, control_, judging)) return false;
@@ -260,11 +267,14 @@ class LearnRun {
       const int iteration = static_cast<int>(state_.steps.size()) + 1;
       std::vector<ShapeSamples> others;
       const auto key = static_cast<std::uint64_t>(iteration);
-      if (!load(project_, draw(rest, options_.sample_size, derive_seed(seed_, key)), control_, others))
-        return false;
+      std::vector<ShapeId> other_ids = draw(rest, options_.sample_size, derive_seed(seed_, key));
+      other_ids.insert(other_ids.end(), always.begin(), always.end());
+      if (!load(project_, other_ids, control_, others)) return false;
+      std::vector<ShapeId> ids = state_.judging;
+      ids.insert(ids.end(), other_ids.begin(), other_ids.end());
       const auto round =
           learning_round(state_.templates, judging, others, fit_options_, options_, threads_,
-                         round_control(iteration, judging.size() + others.size(), judging.size()));
+                         round_control(iteration, ids.size(), judging.size()), corrections_.of(ids));
       if (!round) return false;
       keep(*round, iteration);
     }
@@ -329,6 +339,7 @@ class LearnRun {
     const std::vector<FitSummary> fits = project_.fits();
     std::map<TemplateId, double> least;
     for (const FitSummary& fit : fits) {
+      if (corrections_.is_outlier(fit.shape)) continue;
       const auto [entry, fresh] = least.try_emplace(fit.part_template, fit.energy.total());
       entry->second = std::min(entry->second, fit.energy.total());
     }
@@ -338,6 +349,8 @@ class LearnRun {
       FitStatus status = FitStatus::fitted;
       if (fit.energy.total() <= bound) status = FitStatus::learned;
       if (fit.energy.total() > outlier_factor * bound) status = FitStatus::outlier;
+      if (corrections_.must_learn(fit.shape)) status = FitStatus::learned;
+      if (corrections_.is_outlier(fit.shape)) status = FitStatus::outlier;
       report_.learned += status == FitStatus::learned;
       report_.outliers += status == FitStatus::outlier;
       if (status != fit.status) project_.set_fit_status(fit.shape, status);
@@ -351,6 +364,8 @@ class LearnRun {
   std::uint64_t seed_;
   unsigned threads_;
   const JobControl& control_;
+  const LearningCorrections corrections_;
+  const std::vector<ShapeId> shapes_;  // that are learned from
   State state_;
   std::atomic<std::size_t> fitted_in_round_ = 0;
   LearnReport report_;
@@ -395,13 +410,16 @@ std::optional<double> energy_after_trial(const Project& project, const PartTempl
   // What a candidate gains later is little beside what parts the candidates.
   constexpr int rounds = 2;
   if (project.shape_count() == 0) throw PreconditionError("there is no shape to learn from");
+  const LearningCorrections corrections(project);
+  const std::vector<ShapeId> ids =
+      judging_shapes(corrections.without_outliers(project.shape_ids()), options, seed);
   std::vector<ShapeSamples> judging;
-  if (!load(project, judging_shapes(project.shape_ids(), options, seed), control, judging))
-    return std::nullopt;
+  if (!load(project, ids, control, judging)) return std::nullopt;
   std::vector<LearnedTemplate> templates{{start, start}};
   double energy = 0;
   for (int round = 0; round < rounds; ++round) {
-    auto learned = learning_round(templates, judging, {}, fit_options, options, threads, control);
+    auto learned =
+        learning_round(templates, judging, {}, fit_options, options, threads, control, corrections.of(ids));
     if (!learned) return std::nullopt;
     templates = std::move(learned->templates);
     energy = learned->energy;

@@ -52,7 +52,8 @@ std::optional<LearningRecord> learning_record(const Project& project);
 // that learning began with. Empty for a project without templates.
 std::vector<PartTemplate> learning_start(const Project& project);
 
-// Of everything that decides what is learned: templates, options, seed, and the shapes with their samples.
+// Of everything that decides what is learned: templates, options, seed, and the shapes with their samples
+// and corrections.
 ContentHash learn_request(const Project& project, const std::vector<PartTemplate>& initial,
                           const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed);
 
@@ -65,9 +66,11 @@ std::optional<double> energy_after_trial(const Project& project, const PartTempl
 // Refines and spawns templates round by round until a round keeps nothing new, then fits what was learned to
 // every shape and labels it. A round is one transaction: its templates become the current ones and remember
 // their parents and the round. A stopped run goes on there, and ends with the same bytes as one that was not
-// stopped, if templates, options, seed and shapes are the same; `fresh` starts over. Works on
+// stopped, if templates, options, seed, shapes and what was corrected of them are the same; `fresh` starts
+// over. Shapes marked as outliers take no part, those marked to be learned from do in every round; pinned
+// yaws, templates and labels hold (learning_round.h). Works on
 // options.sample_size random shapes that judge each round, and as many that change; holds only these. Throws
-// PreconditionError without templates or shapes.
+// PreconditionError without templates or shapes, Error where all shapes are marked as outliers.
 LearnReport learn_templates(Project& project, const std::vector<PartTemplate>& initial,
                             const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed,
                             bool fresh, unsigned threads, const JobControl& control);

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/model/part_colours.h"
+#include "core/session/correction_actions.h"
 #include "core/session/mirror_pairs.h"
 #include "core/session/template_edit.h"
 
@@ -39,8 +40,15 @@ void edit_each(History& history, const PartList& parts, Stage stage,
 void rename_part(History& history, std::size_t part, const std::string& name) {
   PartTemplate changed = active_copy(history);
   const std::string message = "Rename " + part_of(changed, part).name + " to " + name;
-  part_of(changed, part).name = name;
-  put(history, std::move(changed), Stage::done, message);
+  const std::string before = std::exchange(part_of(changed, part).name, name);
+  Document document = history.committed();
+  document.templates[document.active] = std::make_shared<const PartTemplate>(std::move(changed));
+  // Pinned points stay with a part that another template still has by its old name.
+  const bool still_there = std::ranges::any_of(document.templates, [&](const auto& each) {
+    return std::ranges::find(each->parts, before, &TemplatePart::name) != each->parts.end();
+  });
+  if (!still_there) rename_in_corrections(document, {.part_from = before, .part_to = name});
+  history.commit(std::move(document), message);
 }
 
 void set_part_label(History& history, const PartList& parts, int label, Stage stage) {

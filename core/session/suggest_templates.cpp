@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/session/learning_corrections.h"
 
 namespace archetype {
 
@@ -24,7 +25,7 @@ std::vector<std::size_t> positions(const std::vector<std::size_t>& chosen,
 
 Suggestions suggest_templates(const Project& project, const SuggestOptions& options, unsigned threads,
                               const JobControl& control) {
-  const std::vector<ShapeId> ids = project.shape_ids();
+  const std::vector<ShapeId> ids = LearningCorrections(project).without_outliers(project.shape_ids());
   if (ids.empty()) throw PreconditionError("templates can only be suggested for a project that has shapes");
   const auto segmented = random_subset(ids.size(), options.segmented_shapes, derive_seed(options.seed, 0));
   const auto scored = random_subset(ids.size(), options.scored_shapes, derive_seed(options.seed, 1));

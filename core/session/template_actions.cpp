@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/session/actions.h"
+#include "core/session/correction_actions.h"
 #include "core/session/mirror_pairs.h"
 
 namespace archetype {
@@ -82,7 +83,10 @@ void rename_active_template(History& history, const std::string& name) {
   PartTemplate renamed = active_of(history.committed());
   renamed.name = unique_template_name(history.committed(), name, history.committed().active);
   const std::string message = "Rename template to " + renamed.name;
-  commit_active(history, std::move(renamed), message);
+  Document document = history.committed();
+  rename_in_corrections(document, {.template_from = active_of(document).name, .template_to = renamed.name});
+  document.templates[document.active] = std::make_shared<const PartTemplate>(std::move(renamed));
+  history.commit(std::move(document), message);
 }
 
 void move_active_template(History& history, int places) {

@@ -56,6 +56,16 @@ ShapeFit sample_fit(std::size_t sample_count) {
   return fit;
 }
 
+ShapeCorrection sample_correction() {
+  ShapeCorrection correction;
+  correction.yaw_quarters = 3;
+  correction.part_template = "stool";
+  correction.mark = ShapeMark::learn;
+  correction.pinned = {{"seat", {0, 2}}, {"", {4}}};
+  correction.sampling = sampling_of(sample_record("a"));
+  return correction;
+}
+
 ShapeId add_whole_shape(Project& project, const std::string& name, TemplateId part_template) {
   const ShapeId id = project.add_shape(sample_record(name), sample_samples());
   project.store_fit({id, part_template, FitStatus::outlier, sample_fit(), {{5, 6}}});
@@ -70,7 +80,8 @@ void fill_project(Project& project) {
   record.part_template = sample_template();
   const TemplateId part_template = project.add_template(record);
   add_whole_shape(project, "b", part_template);
-  add_whole_shape(project, "a", part_template);
+  const ShapeId a = add_whole_shape(project, "a", part_template);
+  project.set_corrections({{a, std::make_shared<const ShapeCorrection>(sample_correction())}});
   project.set_refused({{"/shapes/bad.off", "line 1: expected OFF"}});
   project.set_setting("key", "value");
   transaction.commit();
@@ -89,6 +100,7 @@ void read_whole_project(const Project& project) {
   static_cast<void>(project.templates());
   static_cast<void>(project.fits());
   static_cast<void>(project.refused());
+  static_cast<void>(project.corrections());
   static_cast<void>(project.setting("key"));
 }
 
