@@ -1,33 +1,69 @@
 // Small pictures of shapes.
 #include "render/thumbnails.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace archetype {
 namespace {
 
+constexpr double margin = 0.06;
+
+// How far beyond the edge of the picture the points come: 1 is the edge.
+double reach(const Camera& camera, const Viewport& size, std::span<const glm::vec3> points) {
+  double most = 0;
+  for (const glm::vec3& point : points)
+    if (const auto at = to_screen(camera, size, point))
+      most = std::max({most, std::abs(2 * at->x / size.width - 1), std::abs(2 * at->y / size.height - 1)});
+  return most;
+}
+
+Camera camera_of(const std::vector<glm::vec3>& positions, const ThumbnailOptions& options) {
+  std::vector<glm::vec3> placed;
+  placed.reserve(positions.size());
+  for (const glm::vec3& position : positions) placed.emplace_back(options.transform * glm::vec4(position, 1));
+  const Viewport size{options.size, options.size};
+  Camera camera = thumbnail_camera(options.framed.empty() ? placed : options.framed, size);
+  if (options.framed.empty()) return camera;
+  if (const double beyond = reach(camera, size, placed); beyond > 1) camera.distance *= beyond * (1 + margin);
+  return camera;
+}
+
 Picture draw_thumbnail(Renderer& renderer, Scene scene, const std::vector<glm::vec3>& positions,
                        const ThumbnailOptions& options) {
-  Camera camera;
-  look_from(camera, ViewPreset::three_quarter);
-  frame_points(camera, {options.size, options.size}, positions, 0.06);
   scene.backdrop = options.backdrop;
   RenderTarget target;
-  renderer.draw(scene, camera, {options.size, options.size, 2}, target);
+  renderer.draw(scene, camera_of(positions, options), {options.size, options.size, options.mask ? 1 : 2},
+                target);
   return target.read();
 }
 
 }  // namespace
 
+Camera thumbnail_camera(std::span<const glm::vec3> framed, Viewport size) {
+  Camera camera;
+  look_from(camera, ViewPreset::three_quarter);
+  frame_points(camera, size, framed, margin);
+  return camera;
+}
+
 Picture mesh_thumbnail(Renderer& renderer, const std::shared_ptr<const MeshGeometry>& geometry,
                        std::shared_ptr<const Colours> face_colours, const ThumbnailOptions& options) {
   Scene scene;
-  scene.meshes.push_back({.geometry = geometry, .face_colours = std::move(face_colours)});
+  scene.meshes.push_back({.geometry = geometry,
+                          .face_colours = std::move(face_colours),
+                          .lit = !options.mask,
+                          .transform = options.transform});
   return draw_thumbnail(renderer, std::move(scene), geometry->positions, options);
 }
 
 Picture point_thumbnail(Renderer& renderer, const std::shared_ptr<const PointGeometry>& geometry,
                         std::shared_ptr<const Colours> colours, const ThumbnailOptions& options) {
   Scene scene;
-  scene.points.push_back({.geometry = geometry, .colours = std::move(colours)});
+  scene.points.push_back({.geometry = geometry,
+                          .colours = std::move(colours),
+                          .lit = !options.mask,
+                          .transform = options.transform});
   return draw_thumbnail(renderer, std::move(scene), geometry->positions, options);
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "ui/clusters_view.h"
 #include "ui/panels.h"
 #include "ui/studio.h"
 #include "ui/viewport.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::array views{
     CentreViewRow{CentreView::shape, "Shape", "show-shape", draw_tool_bar, draw_viewport},
+    CentreViewRow{CentreView::clusters, "Clusters", "show-clusters", draw_clusters_tools, draw_clusters_view},
     CentreViewRow{CentreView::cloud, "Cloud", "show-cloud", draw_cloud_tools, draw_cloud},
 };
 

@@ -8,7 +8,7 @@ namespace archetype {
 
 struct Studio;
 
-enum class CentreView { shape, cloud };
+enum class CentreView { shape, clusters, cloud };
 
 struct CentreViewRow {
   CentreView view;

@@ -1,8 +1,6 @@
 #include "ui/collection.h"
 
 #include <algorithm>
-#include <cctype>
-#include <limits>
 #include <span>
 #include <utility>
 
@@ -15,11 +13,6 @@ namespace archetype {
 namespace {
 
 constexpr const char* document_setting = "studio.document";
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 }  // namespace
 
@@ -102,26 +95,6 @@ std::optional<std::size_t> find_row(const Collection& collection, ShapeId id) {
                                   [&](const ShapeRow& row) { return row.id == id; });
   if (found == collection.rows().end()) return std::nullopt;
   return static_cast<std::size_t>(found - collection.rows().begin());
-}
-
-std::vector<std::size_t> visible_rows(const std::vector<ShapeRow>& rows, const std::string& filter,
-                                      RowOrder order) {
-  const std::string wanted = lower(filter);
-  std::vector<std::size_t> visible;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (wanted.empty() || lower(rows[i].name).find(wanted) != std::string::npos) visible.push_back(i);
-
-  const auto energy = [&](std::size_t i) {
-    const auto& fit = rows[i].fit;
-    const double none = std::numeric_limits<double>::infinity();
-    return fit ? (order == RowOrder::energy_down ? -fit->energy.total() : fit->energy.total()) : none;
-  };
-  if (order == RowOrder::energy_up || order == RowOrder::energy_down)
-    std::stable_sort(visible.begin(), visible.end(), [&](auto a, auto b) { return energy(a) < energy(b); });
-  if (order == RowOrder::faces)
-    std::stable_sort(visible.begin(), visible.end(),
-                     [&](auto a, auto b) { return rows[a].element_count > rows[b].element_count; });
-  return visible;
 }
 
 }  // namespace archetype

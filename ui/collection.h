@@ -14,16 +14,9 @@
 #include "core/session/document.h"
 #include "core/session/latest_worker.h"
 #include "core/session/learn_templates.h"
+#include "core/session/shape_row.h"
 
 namespace archetype {
-
-struct ShapeRow {
-  ShapeId id = 0;
-  std::string name;
-  std::size_t element_count = 0;
-  ContentHash hash;  // of the file, when it was imported
-  std::optional<FitSummary> fit;
-};
 
 struct CollectionRows {
   std::vector<ShapeRow> rows;  // ordered by name
@@ -65,10 +58,5 @@ std::optional<std::string> save_document(const SaveDocument& request, const JobC
 using DocumentSaver = LatestWorker<SaveDocument, std::string>;
 
 std::optional<std::size_t> find_row(const Collection& collection, ShapeId id);
-
-// The rows to show: those whose name holds `filter` (case does not matter), in the order asked for.
-enum class RowOrder { name, energy_up, energy_down, faces };
-std::vector<std::size_t> visible_rows(const std::vector<ShapeRow>& rows, const std::string& filter,
-                                      RowOrder order);
 
 }  // namespace archetype

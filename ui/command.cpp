@@ -17,6 +17,8 @@ std::vector<Command> all_commands() {
   add_part_commands(commands);
   add_point_commands(commands);
   add_view_commands(commands);
+  add_clusters_commands(commands);
+  add_filter_commands(commands);
   add_cloud_commands(commands);
   add_figure_commands(commands);
   add_strip_commands(commands);

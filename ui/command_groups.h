@@ -15,6 +15,8 @@ void add_part_list_commands(std::vector<Command>& commands);
 void add_part_commands(std::vector<Command>& commands);
 void add_point_commands(std::vector<Command>& commands);
 void add_view_commands(std::vector<Command>& commands);
+void add_clusters_commands(std::vector<Command>& commands);
+void add_filter_commands(std::vector<Command>& commands);
 void add_cloud_commands(std::vector<Command>& commands);
 void add_figure_commands(std::vector<Command>& commands);
 void add_strip_commands(std::vector<Command>& commands);

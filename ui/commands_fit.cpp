@@ -74,9 +74,11 @@ void report_latency(Studio& studio, Arguments) {
 void report_frames(Studio& studio, Arguments) {
   const auto& frames = studio.frames.milliseconds();
   char line[256];
-  std::snprintf(line, sizeof line, "frames: %zu, median %.1f ms, 95th percentile %.1f ms, longest %.1f ms",
-                frames.size(), percentile(frames, 0.5).value_or(0), percentile(frames, 0.95).value_or(0),
-                percentile(frames, 1).value_or(0));
+  std::snprintf(
+      line, sizeof line,
+      "frames: %zu, median %.1f ms, 95th percentile %.1f ms, longest %.1f ms, processor %.1f ms a frame",
+      frames.size(), percentile(frames, 0.5).value_or(0), percentile(frames, 0.95).value_or(0),
+      percentile(frames, 1).value_or(0), studio.frames.processor_milliseconds());
   studio.output.emplace_back(line);
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "ui/clusters_view.h"
 #include "ui/command_groups.h"
 #include "ui/studio.h"
 
@@ -114,15 +115,21 @@ void set_command(Studio& studio, Arguments arguments) {
 
 // The rows as the grid shows them, so that the arrow keys follow its order and its filter.
 void step_shape(Studio& studio, int step) {
+  if (studio.ui.centre == CentreView::clusters) {
+    step_in_clusters(studio, step > 0 ? CellStep::right : CellStep::left, false);
+    return;
+  }
   const auto& rows = studio.collection.rows();
-  const std::vector<std::size_t> visible = visible_rows(rows, studio.ui.grid.filter, studio.ui.grid.order);
+  const std::vector<std::size_t>& visible = shown_rows(studio);
   if (visible.empty()) return;
   const auto at = std::find_if(visible.begin(), visible.end(),
                                [&](std::size_t row) { return rows[row].id == studio.ui.shape; });
   const auto last = static_cast<std::ptrdiff_t>(visible.size()) - 1;
   const std::ptrdiff_t next =
       at == visible.end() ? 0 : std::clamp<std::ptrdiff_t>(at - visible.begin() + step, 0, last);
-  show_shape(studio, rows[visible[static_cast<std::size_t>(next)]].id);
+  const ShapeId shape = rows[visible[static_cast<std::size_t>(next)]].id;
+  select_only(studio.ui.selection, {shape});
+  show_shape(studio, shape);
   studio.ui.grid.scroll_to_shape = true;
 }
 

@@ -49,6 +49,13 @@ void draw_diagnostics_panel(Studio& studio) {
          "median " + milliseconds(*middle) + ", 95th percentile " +
              milliseconds(*percentile(studio.frames.milliseconds(), 0.95)) + ", of the last " +
              std::to_string(studio.frames.milliseconds().size()));
+  if (const std::optional<double>& took = studio.opening.milliseconds())
+    line(studio, "Opening", milliseconds(*took) + " to the first frame");
+  if (studio.ui.shown.revision > 0)
+    line(studio, "Filter",
+         milliseconds(studio.ui.shown.milliseconds) + " for " + count_text(studio.collection.rows().size()) +
+             " shapes");
+  if (const auto memory = resident_memory()) line(studio, "Memory", count_text(*memory / 1'000'000) + " MB");
   if (!median) return;
   const std::vector<float> values(studio.latency.milliseconds().begin(), studio.latency.milliseconds().end());
   ImGui::PlotLines("##latency", values.data(), static_cast<int>(values.size()), 0, nullptr, 0, 200,

@@ -11,6 +11,7 @@
 
 #include "ui/centre_views.h"
 #include "ui/file_browser.h"
+#include "ui/filter_panel.h"
 #include "ui/panels.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
@@ -128,6 +129,7 @@ void draw_bottom(Studio& studio) {
     void (*draw)(Studio&);
   };
   const std::array tabs{Tab{BottomTab::jobs, "Jobs", draw_jobs_panel},
+                        Tab{BottomTab::filter, "Filter", draw_filter_panel},
                         Tab{BottomTab::strip, "Other shapes", draw_strip_panel},
                         Tab{BottomTab::learning, "Learning", draw_learning_panel},
                         Tab{BottomTab::messages, "Messages", draw_messages_panel},
@@ -216,6 +218,7 @@ std::span<const Panel> all_panels() {
                                      Panel{"part", draw_part_panel},
                                      Panel{"fit", draw_fit_panel},
                                      Panel{"strip", draw_strip_panel},
+                                     Panel{"filter", draw_filter_panel},
                                      Panel{"jobs", draw_jobs_panel},
                                      Panel{"learning", draw_learning_panel},
                                      Panel{"messages", draw_messages_panel},

@@ -36,6 +36,13 @@ inline constexpr const char* frame = "\xef\x82\xb2";        // f0b2
 inline constexpr const char* grid = "\xef\x80\x8a";         // f00a
 inline constexpr const char* points = "\xef\x85\x82";       // f142
 inline constexpr const char* more = "\xef\x85\x81";         // f141
+inline constexpr const char* filter = "\xef\x82\xb0";       // f0b0
+inline constexpr const char* sort_up = "\xef\x85\xa0";      // f160
+inline constexpr const char* sort_down = "\xef\x85\xa1";    // f161
+inline constexpr const char* tree = "\xef\x83\xa8";         // f0e8
+inline constexpr const char* bars = "\xef\x82\x80";         // f080
+inline constexpr const char* down = "\xef\x81\xb8";         // f078
+inline constexpr const char* right = "\xef\x81\x94";        // f054
 inline constexpr const char* clock = "\xef\x80\x97";        // f017
 
 }  // namespace archetype::icon

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <utility>
 
 namespace archetype {
 namespace {
@@ -22,7 +24,32 @@ std::optional<double> percentile(const std::deque<double>& values, double share)
 
 void FrameMeter::shown(double milliseconds) {
   milliseconds_.push_back(milliseconds);
+  ++frames_;
   if (milliseconds_.size() > kept) milliseconds_.pop_front();
+}
+
+void FrameMeter::clear() {
+  *this = FrameMeter();
+}
+
+double FrameMeter::processor_milliseconds() const {
+  const auto worked = static_cast<double>(std::clock() - cleared_);
+  return frames_ == 0 ? 0 : 1000 * worked / CLOCKS_PER_SEC / static_cast<double>(frames_);
+}
+
+void OpeningMeter::frame_shown(Clock::time_point now) {
+  if (!std::exchange(shown_next_, false)) return;
+  milliseconds_ =
+      std::chrono::duration<double, std::milli>(now - *std::exchange(asked_, std::nullopt)).count();
+}
+
+std::optional<std::size_t> resident_memory() {
+  std::ifstream pages("/proc/self/statm");  // Linux
+  std::size_t all = 0;
+  std::size_t resident = 0;
+  if (!(pages >> all >> resident)) return std::nullopt;
+  constexpr std::size_t page = 4096;
+  return resident * page;
 }
 
 void LatencyMeter::edited(std::uint64_t revision, Clock::time_point at) {

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <ctime>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -16,12 +17,36 @@ std::optional<double> percentile(const std::deque<double>& values, double share)
 class FrameMeter {
  public:
   void shown(double milliseconds);
-  void clear() { milliseconds_.clear(); }
+  void clear();
   const std::deque<double>& milliseconds() const { return milliseconds_; }
+  // That all threads of the program worked, per frame since it was cleared: what the frames would take if
+  // nothing else ran on the machine.
+  double processor_milliseconds() const;
 
  private:
   std::deque<double> milliseconds_;
+  std::clock_t cleared_ = std::clock();
+  std::size_t frames_ = 0;
 };
+
+// How long a project took from the wish to open it until its shapes were on the screen.
+class OpeningMeter {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  void asked(Clock::time_point at) { asked_ = at; }
+  void opened() { shown_next_ = asked_.has_value(); }  // the next frame shows it
+  void frame_shown(Clock::time_point now);
+  const std::optional<double>& milliseconds() const { return milliseconds_; }
+
+ private:
+  std::optional<Clock::time_point> asked_;
+  bool shown_next_ = false;
+  std::optional<double> milliseconds_;  // of the newest
+};
+
+// Bytes of memory that the program holds; nothing where the system does not tell.
+std::optional<std::size_t> resident_memory();
 
 // Every edit counts, also those that were never computed because a newer one came first: an edit is answered
 // by the first displayed fit that is as new as it or newer.

@@ -65,6 +65,9 @@ void put_into_view(Studio& studio, OpenedProject opened) {
   if (opened.document_is_stored) studio.autosave.saved_revision = studio.history.revision();
   select_only(studio.ui, std::nullopt);
   studio.ui.grid = {};
+  forget_filter(studio.ui.shown);
+  studio.ui.clusters = {};
+  studio.opening.opened();
   studio.ui.selection = {};
   show_shape(studio, std::nullopt);
   if (!studio.collection.rows().empty()) show_shape(studio, studio.collection.rows()[0].id);
@@ -155,6 +158,7 @@ void open_project(Studio& studio, const fs::path& path) {
   if (!fs::exists(absolute)) throw FileError(path, "there is no such project");
   remember_recent(studio.settings, absolute);
   const std::string title = absolute.stem().string();
+  studio.opening.asked(OpeningMeter::Clock::now());
   studio.jobs.start("Open " + title, [&studio, absolute, title](const JobControl&) -> Jobs::Apply {
     return [&studio, opened = read_project(absolute, title)]() mutable {
       put_into_view(studio, std::move(opened));

@@ -193,7 +193,7 @@ std::optional<double> energy_change(const StripTile& tile) {
 void fill_strip_with_worst(Studio& studio) {
   const auto& rows = studio.collection.rows();
   std::vector<std::size_t> fitted;
-  for (const std::size_t row : visible_rows(rows, "", RowOrder::energy_down))
+  for (const std::size_t row : shown_rows(ShapeTable(rows, nullptr), {}, {{ShapeQuantity::energy}, true}))
     if (rows[row].fit && rows[row].id != studio.ui.shape) fitted.push_back(row);
   if (fitted.empty()) {
     fill_strip_at_random(studio);

@@ -185,6 +185,7 @@ void begin_frame(Studio& studio) {
   studio.ui.selection.hovered = std::exchange(studio.ui.selection.hovering, std::nullopt);
   keep_selection_valid(studio);
   if (studio.drag && !advance(*studio.drag, studio.history)) studio.drag.reset();
+  if (studio.scroll && !advance(*studio.scroll, studio.ui, studio.fonts.scale)) studio.scroll.reset();
 }
 
 void end_frame(Studio& studio) {
@@ -200,17 +201,19 @@ void end_frame(Studio& studio) {
 void frame_shown(Studio& studio) {
   const Clock::time_point now = Clock::now();
   studio.frames.shown(std::chrono::duration<double, std::milli>(now - studio.frame_start).count());
+  studio.opening.frame_shown(now);
   strip_shown(studio, now);
   if (!std::exchange(studio.live_fit.newly_shown, false)) return;
   studio.latency.displayed(studio.live_fit.shown_document, now);
 }
 
 bool settled(const Studio& studio) {
-  return !studio.drag && !studio.wanted_picture && studio.jobs.resting() && studio.shape_loader.idle() &&
-         studio.live_fit.worker.idle() && studio.region_worker.idle() && studio.rows_reader.idle() &&
-         studio.directory_reader.idle() && studio.autosave.saver.idle() && studio.thumbnails.idle() &&
-         !studio.live_fit.newly_shown && studio.live_fit.asked_shape == studio.shape.shape_revision &&
-         strip_settled(studio) && fit_tables_settled(studio) && !cloud_busy(studio) &&
+  return !studio.drag && !studio.scroll && !studio.wanted_picture && studio.jobs.resting() &&
+         studio.shape_loader.idle() && studio.live_fit.worker.idle() && studio.region_worker.idle() &&
+         studio.rows_reader.idle() && studio.directory_reader.idle() && studio.autosave.saver.idle() &&
+         studio.thumbnails.idle() && !studio.live_fit.newly_shown &&
+         studio.live_fit.asked_shape == studio.shape.shape_revision && strip_settled(studio) &&
+         fit_tables_settled(studio) && !cloud_busy(studio) &&
          (studio.ui.centre != CentreView::shape ||
           !viewport_busy(studio.viewport, studio.shape.shape_revision));
 }

@@ -16,6 +16,7 @@
 #include "core/session/user_folders.h"
 #include "ui/autosave.h"
 #include "ui/cloud_view.h"
+#include "ui/cluster_pictures.h"
 #include "ui/collection.h"
 #include "ui/command.h"
 #include "ui/directory_reader.h"
@@ -25,6 +26,7 @@
 #include "ui/latency.h"
 #include "ui/live_fit.h"
 #include "ui/scripted_drag.h"
+#include "ui/scripted_scroll.h"
 #include "ui/shape_in_view.h"
 #include "ui/shape_loader.h"
 #include "ui/shape_strip.h"
@@ -77,8 +79,10 @@ struct Studio {
   Messages messages;
   ViewportState viewport;
   CloudView cloud;
+  ClusterPictures cluster_pictures;
   LatencyMeter latency;
   FrameMeter frames;
+  OpeningMeter opening;
   std::vector<Target> targets;         // of the frame drawn last
   std::vector<KeyChord> pressed_keys;  // since the last frame, in order
   std::vector<std::string>
@@ -86,6 +90,7 @@ struct Studio {
   std::optional<std::filesystem::path> wanted_picture;  // of the whole window, once the next frame is drawn
   bool wanted_fonts = true;  // the fonts have to be loaded anew before the next frame
   std::optional<ScriptedDrag> drag;
+  std::optional<ScriptedScroll> scroll;
   bool quit = false;
 
   // Beside the window. Last, so that they are stopped before what they tell of goes.

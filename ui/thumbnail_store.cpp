@@ -10,7 +10,8 @@ WantedThumbnail wanted_thumbnail(const ShapeRow& row) {
   WantedThumbnail wanted{row.id, row.hash.words[0], row.fit.has_value()};
   if (row.fit)
     wanted.stamp ^= std::bit_cast<std::uint64_t>(row.fit->energy.total()) ^
-                    (static_cast<std::uint64_t>(row.fit->part_template) * 0x9e3779b97f4a7c15ULL);
+                    (static_cast<std::uint64_t>(row.fit->part_template) * 0x9e3779b97f4a7c15ULL) ^
+                    row.fit->state.words[0] ^ static_cast<std::uint64_t>(row.fit->yaw_quarters);
   return wanted;
 }
 
@@ -32,6 +33,11 @@ std::uint32_t ThumbnailStore::use(const WantedThumbnail& wanted) {
   return found->second.texture ? found->second.texture->name() : 0;
 }
 
+void ThumbnailStore::expect(const WantedThumbnail& wanted) {
+  const auto found = entries_.find(wanted.shape);
+  if (found == entries_.end() || found->second.wanted != wanted) expected_.push_back(wanted);
+}
+
 void ThumbnailStore::begin_frame(const std::filesystem::path& project) {
   ++frame_;
   if (project != project_) {
@@ -47,12 +53,15 @@ void ThumbnailStore::begin_frame(const std::filesystem::path& project) {
     if (made.picture.width > 0) entry.texture.emplace(made.picture);
   }
   missing_.clear();
+  expected_.clear();
 }
 
 void ThumbnailStore::end_frame() {
-  if (missing_ != asked_) {
-    worker_.want(project_, missing_);
-    asked_ = missing_;
+  std::vector<WantedThumbnail> wanted = missing_;
+  wanted.insert(wanted.end(), expected_.begin(), expected_.end());
+  if (wanted != asked_) {
+    worker_.want(project_, wanted);
+    asked_ = std::move(wanted);
   }
   forget_unused();
 }

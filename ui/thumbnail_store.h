@@ -25,6 +25,8 @@ class ThumbnailStore {
   // The texture to draw now, or 0 where there is none yet; an older picture stands in until the new one is
   // there. What is not used in a frame is not made, and goes once there are too many.
   std::uint32_t use(const WantedThumbnail& wanted);
+  // It may be wanted soon: made when nothing else is.
+  void expect(const WantedThumbnail& wanted);
   // Once a frame, before its panels: takes over what was made, and forgets what is of another project. Needs
   // the window's OpenGL context.
   void begin_frame(const std::filesystem::path& project);
@@ -45,6 +47,7 @@ class ThumbnailStore {
 
   std::unordered_map<ShapeId, Entry> entries_;
   std::vector<WantedThumbnail> missing_;  // of this frame, in the order of the cells
+  std::vector<WantedThumbnail> expected_;
   std::vector<WantedThumbnail> asked_;
   std::filesystem::path project_;
   std::uint64_t frame_ = 0;

@@ -1,50 +1,91 @@
 #include "ui/thumbnail_worker.h"
 
 #include <exception>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/io/read_shape.h"
+#include "render/convert.h"
 #include "render/gl/headless_context.h"
 #include "render/thumbnails.h"
+#include "ui/cluster_pictures.h"
 
 namespace archetype {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view plain_kind = "surface";
+constexpr std::string_view plain_kind = "shape";
+
+// The number of a part as a colour of a mask, and back; grey and the backdrop are none.
+Rgb mask_colour(int part) {
+  const int value = part + 1;
+  return {static_cast<std::uint8_t>(value & 255), static_cast<std::uint8_t>(value >> 8), 0};
+}
+
+int part_of_mask(const Picture& mask, std::size_t pixel) {
+  if (mask.pixels[4 * pixel + 3] == 0) return -1;
+  return mask.pixels[4 * pixel] + 256 * mask.pixels[4 * pixel + 1] - 1;
+}
+
+glm::mat4 turned_into_frame(const ShapeFit& fit) {
+  const Vec3 origin = fit.to_template(Vec3::Zero());
+  glm::mat4 matrix(1);
+  for (int k = 0; k < 3; ++k) matrix[k] = glm::vec4(to_glm(Vec3(fit.to_template(Vec3::Unit(k)) - origin)), 0);
+  matrix[3] = glm::vec4(to_glm(origin), 1);
+  return matrix;
+}
+
+std::vector<glm::vec3> corners_of(const Bounds& extent) {
+  std::vector<glm::vec3> corners;
+  if (extent.empty()) return corners;
+  for (int corner = 0; corner < 8; ++corner)
+    corners.emplace_back((corner & 1) != 0 ? extent.high.x() : extent.low.x(),
+                         (corner & 2) != 0 ? extent.high.y() : extent.low.y(),
+                         (corner & 4) != 0 ? extent.high.z() : extent.low.z());
+  return corners;
+}
 
 class ThumbnailMaker {
  public:
   explicit ThumbnailMaker(const fs::path& shaders) : renderer_(shaders) {}
 
   Picture make(const fs::path& path, const WantedThumbnail& wanted) {
-    if (!project_ || project_->path() != path) project_.emplace(Project::open(path));
-    const std::string kind(wanted.fitted ? parts_thumbnail : plain_kind);
-    if (const auto kept = project_->thumbnail(wanted.shape, kind); kept && kept->width == thumbnail_size)
-      return *kept;
-    const ThumbnailSource source = thumbnail_source(*project_, wanted.shape);
-    Picture picture = draw(wanted);
+    if (!project_ || project_->path() != path) {
+      project_.emplace(Project::open(path));
+      templates_.clear();
+    }
+    if (!wanted.fitted) return kept_or_drawn(wanted.shape, plain_kind);
+    Picture picture = kept_or_drawn(wanted.shape, parts_thumbnail);
+    if (wanted.highlighted >= 0)
+      highlight_part(picture, kept_or_drawn(wanted.shape, part_mask_thumbnail), wanted.highlighted);
+    return picture;
+  }
+
+ private:
+  Picture kept_or_drawn(ShapeId shape, std::string_view kind) {
+    const std::string name(kind);
+    if (auto kept = project_->thumbnail(shape, name); kept && kept->width == thumbnail_size)
+      return *std::move(kept);
+    const ThumbnailSource source = thumbnail_source(*project_, shape);
+    Picture picture = draw(shape, kind);
     try {
-      keep_thumbnail(*project_, wanted.shape, kind, picture, source);
+      if (picture.width > 0) keep_thumbnail(*project_, shape, name, picture, source);
     } catch (const Error&) {
       // The picture is shown all the same; it is made again next time.
     }
     return picture;
   }
 
- private:
-  Picture draw(const WantedThumbnail& wanted) {
-    const auto record = project_->find_shape(wanted.shape);
+  Picture draw(ShapeId shape, std::string_view kind) {
+    const auto record = project_->find_shape(shape);
     if (!record) return {};
-    std::shared_ptr<const Colours> colours;
-    if (wanted.fitted)
-      if (const auto labels = project_->labels(wanted.shape)) colours = colours_of_labels(*labels);
     const ShapeFile file = read_shape(record->path);
-    if (colours && colours->size() != file.mesh.element_count()) colours.reset();
-    const ThumbnailOptions options{.size = thumbnail_size};
+    ThumbnailOptions options{.size = thumbnail_size, .mask = kind == part_mask_thumbnail};
+    std::shared_ptr<const Colours> colours;
+    if (kind != plain_kind) colours = pose(shape, file.mesh.element_count(), options);
     if (file.mesh.is_point_set()) {
       const auto points =
           std::make_shared<const PointGeometry>(make_point_geometry(file.mesh, record->frame));
@@ -54,11 +95,45 @@ class ThumbnailMaker {
     return mesh_thumbnail(renderer_, geometry, colours, options);
   }
 
+  // As the fit has the shape stand in the template's frame; the colours of its elements, null without labels.
+  std::shared_ptr<const Colours> pose(ShapeId shape, std::size_t elements, ThumbnailOptions& options) {
+    const auto fit = project_->fit(shape);
+    if (!fit) return nullptr;
+    const PartTemplate& part_template = template_of(fit->part_template);
+    options.transform = turned_into_frame(fit->fit);
+    options.framed = corners_of(framed_extent(part_template));
+    const auto labels = project_->labels(shape);
+    if (!labels || labels->size() != elements) return nullptr;
+    if (!options.mask) return colours_of_labels(*labels, &part_template);
+    auto colours = std::make_shared<Colours>();
+    for (const std::int16_t label : *labels) colours->push_back(mask_colour(label));
+    return colours;
+  }
+
+  const PartTemplate& template_of(TemplateId id) {
+    const auto known = templates_.find(id);
+    if (known != templates_.end()) return known->second;
+    const std::optional<TemplateRecord> record = project_->find_template(id);
+    return templates_.emplace(id, record ? record->part_template : PartTemplate{}).first->second;
+  }
+
   Renderer renderer_;
   std::optional<Project> project_;
+  std::map<TemplateId, PartTemplate> templates_;  // they never change
 };
 
 }  // namespace
+
+void highlight_part(Picture& picture, const Picture& mask, int part) {
+  if (mask.width != picture.width || mask.height != picture.height) return;
+  for (std::size_t i = 0; 4 * i < picture.pixels.size(); ++i) {
+    if (part_of_mask(mask, i) == part) continue;
+    std::uint8_t* const pixel = &picture.pixels[4 * i];
+    const int light = (3 * pixel[0] + 6 * pixel[1] + pixel[2]) / 10;
+    for (int k = 0; k < 3; ++k) pixel[k] = static_cast<std::uint8_t>((pixel[k] + 4 * light) / 5);
+    pixel[3] = static_cast<std::uint8_t>(pixel[3] * 2 / 5);
+  }
+}
 
 ThumbnailSource thumbnail_source(const Project& project, ShapeId shape) {
   ThumbnailSource source;

@@ -20,6 +20,7 @@ struct WantedThumbnail {
   ShapeId shape = 0;
   std::uint64_t stamp = 0;  // of the file and the fit that it shows
   bool fitted = false;      // false: the plain surface
+  int highlighted = -1;     // the part whose colours are kept while all others are dimmed; -1: none is
   friend bool operator==(const WantedThumbnail&, const WantedThumbnail&) = default;
 };
 
@@ -28,6 +29,8 @@ struct MadeThumbnail {
   WantedThumbnail wanted;
   Picture picture;  // empty if the shape cannot be drawn
 };
+
+inline constexpr int no_such_part = 1 << 20;  // highlighted in a shape that lacks the part: all is dimmed
 
 inline constexpr int thumbnail_size = 192;  // pixels
 
@@ -42,6 +45,9 @@ ThumbnailSource thumbnail_source(const Project& project, ShapeId shape);
 // shows what was, and would never be made again. Whether it did.
 bool keep_thumbnail(Project& project, ShapeId shape, const std::string& kind, const Picture& picture,
                     const ThumbnailSource& source);
+
+// Dims all but one part; `mask` holds the number of the part at each pixel.
+void highlight_part(Picture& picture, const Picture& mask, int part);
 
 // Pictures that the project has already are taken from there; new ones are kept there.
 class ThumbnailWorker {

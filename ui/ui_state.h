@@ -12,9 +12,11 @@
 #include "core/learning/initial_templates.h"
 #include "ui/centre_views.h"
 #include "ui/cloud_choice.h"
+#include "ui/clusters_state.h"
 #include "ui/collection.h"
 #include "ui/explorer_selection.h"
 #include "ui/point_tools.h"
+#include "ui/shown_shapes.h"
 #include "ui/template_look.h"
 #include "ui/typed_transform.h"
 
@@ -44,14 +46,10 @@ enum class CameraView { front, back, left, right, top, bottom, home };
 enum class Navigation { archetype, blender, maya };  // which buttons orbit, pan and zoom
 
 struct GridState {
-  std::string filter;
-  RowOrder order = RowOrder::name;
-  bool scroll_to_shape = false;  // bring the shape in view into sight, once
-  // The rows to show, made anew when one of these changes.
-  std::vector<std::size_t> visible;
-  std::uint64_t visible_revision = 0;
-  std::string visible_filter;
-  RowOrder visible_order = RowOrder::name;
+  bool scroll_to_shape = false;        // bring the shape in view into sight, once
+  std::optional<float> wanted_scroll;  // from the top, screen units; of scripts
+  float scroll = 0;                    // that it has now
+  float most_scroll = 0;
 };
 
 struct PaletteState {
@@ -105,7 +103,7 @@ struct StripChoice {
   bool emptied = false;     // by hand: it is not filled by itself again
 };
 
-enum class BottomTab { jobs, strip, learning, messages, history, diagnostics };
+enum class BottomTab { jobs, filter, strip, learning, messages, history, diagnostics };
 
 struct UiState {
   CentreView centre = CentreView::shape;
@@ -128,7 +126,9 @@ struct UiState {
   bool wanted_frame = false;  // frame the selected box, or the shape where none is selected
   bool cancel_drag = false;   // Esc was pressed
 
+  ShownShapes shown;
   GridState grid;
+  ClustersState clusters;
   PaletteState palette;
   FileBrowserState browser;
   BottomTab bottom_tab = BottomTab::jobs;

@@ -88,8 +88,11 @@ struct TemplateRecord {
 
 using Thumbnail = Picture;
 
-// The kind of a thumbnail that shows a shape's fit.
-inline constexpr std::string_view parts_thumbnail = "parts";
+// The kinds of thumbnails that show a shape's fit: in the template's frame, in the colours of its parts, and
+// the same with the number of the part at each pixel. What begins like these goes with the fit.
+inline constexpr std::string_view parts_thumbnail = "parts posed";
+inline constexpr std::string_view part_mask_thumbnail = "parts mask";
+inline constexpr std::string_view fit_thumbnails = "parts%";
 
 // One connection. Use one object per thread; several, also in several processes, may have the same file open.
 // Every writing function is one transaction unless a Transaction is open. All throw FileError for a full disk
@@ -165,7 +168,7 @@ class Project {
   void store_labels(ShapeId id, const std::vector<std::int16_t>& labels);
   std::optional<std::vector<std::int16_t>> labels(ShapeId id) const;
 
-  // `kind` is free but for parts_thumbnail.
+  // `kind` is free but for those above. Kept compressed.
   void store_thumbnail(ShapeId id, const std::string& kind, const Thumbnail& thumbnail);
   std::optional<Thumbnail> thumbnail(ShapeId id, const std::string& kind) const;
 

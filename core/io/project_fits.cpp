@@ -110,9 +110,9 @@ void Project::store_fit(const FitRecord& record) {
   Database& database = *connection_->database;
   WriteScope scope(database);
   Statement(database, "DELETE FROM labels WHERE shape = ?").bind(record.shape).run();
-  Statement(database, "DELETE FROM thumbnails WHERE shape = ? AND kind = ?")
+  Statement(database, "DELETE FROM thumbnails WHERE shape = ? AND kind LIKE ?")
       .bind(record.shape)
-      .bind(parts_thumbnail)
+      .bind(fit_thumbnails)
       .run();
   Statement insert(database, "INSERT OR REPLACE INTO fits (shape, template, status, state, yaw_quarters, " +
                                  std::string(energy_columns) +

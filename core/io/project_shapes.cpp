@@ -1,5 +1,8 @@
 // The shapes of a project file: records, samples and thumbnails.
+#include <cstring>
+
 #include "core/base/error.h"
+#include "core/io/compressed_bytes.h"
 #include "core/io/project.h"
 #include "core/io/project_connection.h"
 
@@ -156,6 +159,8 @@ ShapeSamples Project::samples(ShapeId id) const {
 }
 
 void Project::store_thumbnail(ShapeId id, const std::string& kind, const Thumbnail& thumbnail) {
+  const BlobView pixels = std::as_bytes(std::span(thumbnail.pixels));
+  const Blob compressed = compress_bytes(pixels);
   WriteScope scope(*connection_->database);
   Statement(*connection_->database,
             "INSERT OR REPLACE INTO thumbnails (shape, kind, width, height, pixels) VALUES (?, ?, ?, ?, ?)")
@@ -163,7 +168,7 @@ void Project::store_thumbnail(ShapeId id, const std::string& kind, const Thumbna
       .bind(std::string_view(kind))
       .bind(thumbnail.width)
       .bind(thumbnail.height)
-      .bind(std::as_bytes(std::span(thumbnail.pixels)))
+      .bind(compressed.size() < pixels.size() ? BlobView(compressed) : pixels)
       .run();
   scope.commit();
 }
@@ -175,14 +180,19 @@ std::optional<Thumbnail> Project::thumbnail(ShapeId id, const std::string& kind)
   if (!row.step()) return std::nullopt;
   const std::int64_t width = row.integer(0);
   const std::int64_t height = row.integer(1);
-  const Blob pixels = row.blob(2);
-  if (width < 1 || height < 1 || width > largest_thumbnail || height > largest_thumbnail ||
-      pixels.size() != static_cast<std::size_t>(width * height * 4)) {
-    database.fail_damaged("the thumbnail of shape " + std::to_string(id) + " has no valid size");
+  Blob pixels = row.blob(2);
+  const std::string whose = "the thumbnail of shape " + std::to_string(id);
+  if (width < 1 || height < 1 || width > largest_thumbnail || height > largest_thumbnail)
+    database.fail_damaged(whose + " has no valid size");
+  const auto bytes = static_cast<std::size_t>(width * height * 4);
+  try {
+    if (pixels.size() != bytes) pixels = decompress_bytes(pixels, bytes);  // else as they are
+  } catch (const BadBlob&) {
+    database.fail_damaged(whose + " cannot be read");
   }
   Thumbnail thumbnail{static_cast<int>(width), static_cast<int>(height), {}};
-  thumbnail.pixels.reserve(pixels.size());
-  for (const std::byte b : pixels) thumbnail.pixels.push_back(std::to_integer<std::uint8_t>(b));
+  thumbnail.pixels.resize(pixels.size());
+  std::memcpy(thumbnail.pixels.data(), pixels.data(), pixels.size());
   return thumbnail;
 }
 

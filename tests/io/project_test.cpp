@@ -115,7 +115,7 @@ TEST_CASE("all that a project holds is there when it is opened again") {
   check_equal(fit.fit, sample_fit());
   CHECK(project.labels(shape.id).value() == std::vector<std::int16_t>{0, 1, -1, 0, 1, 1});
   CHECK(project.thumbnail(shape.id, "surface").value() == Thumbnail{2, 1, {1, 2, 3, 4, 5, 6, 7, 8}});
-  CHECK_FALSE(project.thumbnail(shape.id, "parts"));
+  CHECK_FALSE(project.thumbnail(shape.id, std::string(parts_thumbnail)));
 
   const std::vector<TemplateRecord> templates = project.templates();
   REQUIRE(templates.size() == 1);

@@ -249,3 +249,46 @@ TEST_CASE("thumbnails fill their square and leave the rest transparent") {
   CHECK(low < 6);
   CHECK(high > 89);
 }
+
+TEST_CASE("thumbnails of one kind are drawn at one scale, larger shapes whole, masks in exact colours") {
+  Studio studio;
+  const auto geometry = geometry_of(square(0));  // from -1 to 1
+  const auto covered = [](const Picture& picture) {
+    int count = 0;
+    for (int y = 0; y < picture.height; ++y)
+      for (int x = 0; x < picture.width; ++x) count += alpha_of(picture, x, y) > 127;
+    return count;
+  };
+  const auto corners = [](float half) {
+    std::vector<glm::vec3> all;
+    for (int i = 0; i < 8; ++i)
+      all.emplace_back((i & 1) != 0 ? half : -half, (i & 2) != 0 ? half : -half, (i & 4) != 0 ? half : -half);
+    return all;
+  };
+  ThumbnailOptions options{.size = 96, .framed = corners(2)};
+  const int small = covered(mesh_thumbnail(studio.renderer, geometry, nullptr, options));
+  options.transform = glm::mat4(0.5f);
+  options.transform[3][3] = 1;
+  const int half = covered(mesh_thumbnail(studio.renderer, geometry, nullptr, options));
+  CHECK(half > small / 6);
+  CHECK(half < small / 3);  // a quarter of the area: the scale is that of the frame, not of the shape
+  options.transform = glm::mat4(1);
+  options.framed = corners(0.2f);  // the shape is far larger
+  const Picture whole = mesh_thumbnail(studio.renderer, geometry, nullptr, options);
+  for (int i = 0; i < 96; ++i) {
+    CHECK(alpha_of(whole, i, 0) == 0);
+    CHECK(alpha_of(whole, 0, i) == 0);
+  }
+  options = {.size = 96, .mask = true};
+  const auto colours = std::make_shared<Colours>(geometry->face_count, Rgb{7, 1, 0});
+  const Picture mask = mesh_thumbnail(studio.renderer, geometry, colours, options);
+  int exact = 0;
+  for (std::size_t i = 0; i < mask.pixels.size(); i += 4) {
+    if (mask.pixels[i + 3] == 0) continue;
+    ++exact;
+    CHECK(mask.pixels[i] == 7);
+    CHECK(mask.pixels[i + 1] == 1);
+    CHECK(mask.pixels[i + 2] == 0);
+  }
+  CHECK(exact > 100);
+}

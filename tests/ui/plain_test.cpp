@@ -43,21 +43,6 @@ TEST_CASE("Latency counts every edit until a fit as new as it is on the screen")
   CHECK(meter.milliseconds().size() == 3);
 }
 
-TEST_CASE("Rows are searched and sorted; shapes without a fit come last") {
-  std::vector<ShapeRow> rows;
-  for (const char* name : {"armchair", "Bench", "chair"})
-    rows.push_back({static_cast<ShapeId>(rows.size()), name, rows.size(), {}, {}});
-  for (const std::size_t fitted : {0, 2}) {
-    rows[fitted].fit.emplace();
-    rows[fitted].fit->energy.features = fitted == 0 ? 0.9 : 0.1;
-  }
-  CHECK(visible_rows(rows, "", RowOrder::name) == std::vector<std::size_t>{0, 1, 2});
-  CHECK(visible_rows(rows, "CHAIR", RowOrder::name) == std::vector<std::size_t>{0, 2});
-  CHECK(visible_rows(rows, "", RowOrder::energy_up) == std::vector<std::size_t>{2, 0, 1});
-  CHECK(visible_rows(rows, "", RowOrder::energy_down) == std::vector<std::size_t>{0, 2, 1});
-  CHECK(visible_rows(rows, "", RowOrder::faces) == std::vector<std::size_t>{2, 1, 0});
-}
-
 TEST_CASE("The untitled project of a folder is always the same file, another folder's is another") {
   const auto a = untitled_project_path("/data", "/shapes/chairs");
   CHECK(a == untitled_project_path("/data", "/shapes/chairs/"));
