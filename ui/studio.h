@@ -27,6 +27,7 @@
 #include "ui/scripted_drag.h"
 #include "ui/shape_in_view.h"
 #include "ui/shape_loader.h"
+#include "ui/shape_map_store.h"
 #include "ui/shape_strip.h"
 #include "ui/surface_regions.h"
 #include "ui/theme.h"
@@ -92,6 +93,7 @@ struct Studio {
   ShapeLoader shape_loader;
   RowsReader rows_reader;
   FitTables fit_tables;
+  ShapeMapStore shape_map;
   Autosave autosave;
   DirectoryReader directory_reader;
   LiveFit live_fit;
