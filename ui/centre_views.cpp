@@ -6,6 +6,7 @@
 
 #include "ui/clusters_view.h"
 #include "ui/panels.h"
+#include "ui/shape_map_view.h"
 #include "ui/studio.h"
 #include "ui/viewport.h"
 #include "ui/widgets.h"
@@ -17,6 +18,8 @@ constexpr std::array views{
     CentreViewRow{CentreView::shape, "Shape", "show-shape", draw_tool_bar, draw_viewport},
     CentreViewRow{CentreView::clusters, "Clusters", "show-clusters", draw_clusters_tools, draw_clusters_view},
     CentreViewRow{CentreView::cloud, "Cloud", "show-cloud", draw_cloud_tools, draw_cloud},
+    CentreViewRow{CentreView::map, "Map", "show-map", draw_map_tools, draw_map_view},
+    CentreViewRow{CentreView::plots, "Plots", "show-plots", draw_plots_tools, draw_plots_view},
 };
 
 }  // namespace

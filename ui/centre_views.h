@@ -8,7 +8,7 @@ namespace archetype {
 
 struct Studio;
 
-enum class CentreView { shape, clusters, cloud };
+enum class CentreView { shape, clusters, cloud, map, plots };
 
 struct CentreViewRow {
   CentreView view;

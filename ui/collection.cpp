@@ -39,6 +39,8 @@ CollectionRows read_rows(const Project& project) {
     if (row < content.rows.size()) content.rows[row].fit = fit;
   }
   content.refused = project.refused();
+  content.truth = ground_truth_folders(project);
+  content.subsets = stored_subset_measures(project);
   if (std::optional<LearningRecord> learning = learning_record(project))
     content.learning = std::make_shared<const LearningRecord>(std::move(*learning));
   return content;

@@ -12,8 +12,10 @@
 #include "core/base/job_control.h"
 #include "core/io/project.h"
 #include "core/session/document.h"
+#include "core/session/ground_truth.h"
 #include "core/session/latest_worker.h"
 #include "core/session/learn_templates.h"
+#include "core/session/measure_subsets.h"
 #include "core/session/shape_row.h"
 
 namespace archetype {
@@ -22,6 +24,8 @@ struct CollectionRows {
   std::vector<ShapeRow> rows;  // ordered by name
   std::vector<RefusedInput> refused;
   std::shared_ptr<const LearningRecord> learning;  // null: nothing was learned yet
+  GroundTruthFolders truth;                        // where it is, as far as is known
+  std::vector<SubsetMeasure> subsets;              // how learning grows, if it was measured
 };
 
 struct Collection {

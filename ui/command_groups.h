@@ -22,6 +22,7 @@ void add_figure_commands(std::vector<Command>& commands);
 void add_strip_commands(std::vector<Command>& commands);
 void add_fit_commands(std::vector<Command>& commands);
 void add_learning_commands(std::vector<Command>& commands);
+void add_plot_commands(std::vector<Command>& commands);
 void add_help_commands(std::vector<Command>& commands);
 
 // Shared conditions, for Command::why_not: a hint on what to do first, or "".

@@ -4,18 +4,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/report/axis_marks.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
 namespace archetype {
 namespace {
-
-std::string mark_text(double value, double step) {
-  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
 
 // Where values lie on the screen.
 struct Axes {
@@ -78,22 +72,6 @@ void draw_curve(const Studio& studio, const Axes& axes, const std::vector<Plotte
 }
 
 }  // namespace
-
-std::vector<double> axis_marks(double low, double high, std::size_t most) {
-  if (!(high - low > 1e-12 * std::max(std::abs(low), std::abs(high)))) {
-    const double room = std::max(std::abs(low) * 0.05, 1e-3);
-    low -= room;
-    high += room;
-  }
-  double step = std::pow(10, std::floor(std::log10(high - low)) - 1);
-  const auto count = [&] { return std::ceil(high / step - 1e-9) - std::floor(low / step + 1e-9) + 1; };
-  for (int i = 0; count() > static_cast<double>(most); ++i) step *= i % 3 == 1 ? 2.5 : 2;  // 1, 2, 5, 10
-  std::vector<double> marks;
-  const double first = std::floor(low / step + 1e-9);
-  const auto marked = static_cast<int>(std::lround(count()));
-  for (int i = 0; i < marked; ++i) marks.push_back((first + i) * step);
-  return marks;
-}
 
 std::optional<std::size_t> draw_energy_plot(Studio& studio, const std::vector<PlottedRound>& rounds,
                                             std::optional<std::size_t> chosen, ImVec2 size) {

@@ -17,10 +17,6 @@ struct PlottedRound {
   std::string note;  // for the tooltip, below round and energy
 };
 
-// Round numbers for at most `most` marks between two values, at multiples of 1, 2 or 5 times a power of ten.
-// At least two marks, one at or below `low` and one at or above `high`; most >= 3.
-std::vector<double> axis_marks(double low, double high, std::size_t most);
-
 // Entry i is round i. Returns the round that was clicked. Target: "energy-plot".
 std::optional<std::size_t> draw_energy_plot(Studio& studio, const std::vector<PlottedRound>& rounds,
                                             std::optional<std::size_t> chosen, ImVec2 size);

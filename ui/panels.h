@@ -23,6 +23,8 @@ void draw_tool_bar(Studio& studio);
 void draw_cloud_tools(Studio& studio);
 void draw_cloud(Studio& studio);  // all points of many shapes in one space
 void draw_status_bar(Studio& studio);
+void draw_plots_tools(Studio& studio);
+void draw_plots_view(Studio& studio);
 
 // Whole windows of their own, drawn only while they are open.
 void draw_menu_bar(Studio& studio);

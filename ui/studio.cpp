@@ -117,7 +117,8 @@ void tell_problems(Studio& studio) {
        {studio.shape_loader.take_problem(), studio.live_fit.worker.take_problem(),
         studio.region_worker.take_problem(), studio.directory_reader.take_problem(),
         studio.viewport.coarse_worker.take_problem(), studio.viewport.average_worker.take_problem(),
-        studio.thumbnails.take_problem(), studio.fit_tables.reader.take_problem()})
+        studio.thumbnails.take_problem(), studio.fit_tables.reader.take_problem(),
+        studio.shape_map.maker.take_problem()})
     if (!problem.empty()) say(studio, Severity::error, problem);
 }
 
@@ -158,6 +159,7 @@ Studio::Studio(StudioOptions given)
       shape_loader(load_shape, options.wake),
       rows_reader(reread_rows, options.wake),
       fit_tables(options.wake),
+      shape_map(options.wake),
       autosave(options.wake),
       directory_reader(list_directory, options.wake),
       live_fit(options.wake),
@@ -180,6 +182,7 @@ void begin_frame(Studio& studio) {
   take_over_shape(studio);
   take_over_fit(studio);
   begin_fit_tables(studio);
+  begin_shape_map(studio);
   begin_strip(studio);
   tell_problems(studio);
   studio.ui.selection.hovered = std::exchange(studio.ui.selection.hovering, std::nullopt);
@@ -213,7 +216,7 @@ bool settled(const Studio& studio) {
          studio.rows_reader.idle() && studio.directory_reader.idle() && studio.autosave.saver.idle() &&
          studio.thumbnails.idle() && !studio.live_fit.newly_shown &&
          studio.live_fit.asked_shape == studio.shape.shape_revision && strip_settled(studio) &&
-         fit_tables_settled(studio) && !cloud_busy(studio) &&
+         fit_tables_settled(studio) && !cloud_busy(studio) && studio.shape_map.maker.idle() &&
          (studio.ui.centre != CentreView::shape ||
           !viewport_busy(studio.viewport, studio.shape.shape_revision));
 }

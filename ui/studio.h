@@ -29,6 +29,7 @@
 #include "ui/scripted_scroll.h"
 #include "ui/shape_in_view.h"
 #include "ui/shape_loader.h"
+#include "ui/shape_map_store.h"
 #include "ui/shape_strip.h"
 #include "ui/surface_regions.h"
 #include "ui/theme.h"
@@ -97,6 +98,7 @@ struct Studio {
   ShapeLoader shape_loader;
   RowsReader rows_reader;
   FitTables fit_tables;
+  ShapeMapStore shape_map;
   Autosave autosave;
   DirectoryReader directory_reader;
   LiveFit live_fit;

@@ -15,7 +15,9 @@
 #include "ui/clusters_state.h"
 #include "ui/collection.h"
 #include "ui/explorer_selection.h"
+#include "ui/plots_state.h"
 #include "ui/point_tools.h"
+#include "ui/shape_map_state.h"
 #include "ui/shown_shapes.h"
 #include "ui/template_look.h"
 #include "ui/typed_transform.h"
@@ -137,6 +139,8 @@ struct UiState {
   std::size_t chosen_suggestion = 0;
   bool show_suggestions = false;
   LearningChoice learning;
+  PlotsState plots;
+  MapState map;
   StripChoice strip;
   std::optional<TemplateLook> look;  // nothing: the active template of the document is shown
   bool help = false;                 // the list of keys

@@ -28,6 +28,7 @@ int parse_and_run(int argc, char** argv, Invocation& invocation) {
   add_export_command(app, invocation);
   add_report_command(app, invocation);
   add_generate_command(app, invocation);
+  add_plot_command(app, invocation);
   add_info_command(app, invocation);
   add_help_command(app, invocation);
   try {

@@ -85,6 +85,7 @@ LabellingReport measure_labelling(std::span<const ShapeOverlap> shapes, std::spa
       best_total.add(share, best_label == truth);
       report.own_confusion[{own_label, truth}] += share;
       report.best_confusion[{best_label, truth}] += share;
+      report.part_confusion[pair] += share;
     }
     report.shapes.push_back({shape.name, own.accuracy(), best.accuracy()});
     const double weight = 1.0 / static_cast<double>(shapes.size());

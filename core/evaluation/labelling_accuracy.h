@@ -55,6 +55,7 @@ struct LabellingReport {
   // part.
   std::map<std::pair<int, int>, ElementShare> own_confusion;
   std::map<std::pair<int, int>, ElementShare> best_confusion;
+  PartOverlap part_confusion;  // of all shapes together
 };
 
 struct ShapeOverlap {

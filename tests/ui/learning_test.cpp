@@ -6,7 +6,6 @@
 
 #include "tests/ui/made_learning.h"
 #include "tests/ui/test_window.h"
-#include "ui/energy_plot.h"
 #include "ui/learning_actions.h"
 #include "ui/learning_flow.h"
 #include "ui/project_actions.h"
@@ -61,23 +60,6 @@ TEST_CASE("The flow of shapes: members add up, bands connect them, moves are tho
   }
   CHECK(columns[1].moved > 0);
   CHECK(learning_flow(made_learning(0, 1, 0)).size() == 1);
-}
-
-TEST_CASE("Marks of an axis are round numbers that enclose the values") {
-  CHECK(axis_marks(0.13, 0.87, 6) == std::vector<double>{0, 0.2, 0.4, 0.6000000000000001, 0.8, 1});
-  const std::vector<std::pair<double, double>> ranges{
-      {0.1, 0.10001}, {5.0, 5.0}, {0.0, 0.0}, {-3.0, 1e6}, {1e-9, 2e-9}};
-  for (const auto& [low, high] : ranges) {
-    CAPTURE(low);
-    CAPTURE(high);
-    for (const std::size_t most : {3, 5, 9}) {
-      const std::vector<double> marks = axis_marks(low, high, most);
-      REQUIRE(marks.size() >= 2);
-      CHECK(marks.size() <= most);
-      CHECK(marks.front() <= low + 1e-9 * std::abs(low));
-      CHECK(marks.back() >= high - 1e-9 * std::abs(high));
-    }
-  }
 }
 
 TEST_CASE("Learning opens its panel, which shows every round") {
