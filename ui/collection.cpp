@@ -3,22 +3,39 @@
 #include <algorithm>
 #include <cctype>
 #include <limits>
+#include <locale>
 #include <span>
+#include <sstream>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/io/file.h"
 #include "core/session/actions.h"
 #include "core/session/document_text.h"
+#include "ui/shape_strip.h"
 
 namespace archetype {
 namespace {
 
 constexpr const char* document_setting = "studio.document";
+constexpr const char* strip_setting = "studio.strip";  // numbers of shapes, with blanks between
 
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
+}
+
+void store(Project project, const std::string& document, const std::vector<ShapeId>& strip) {
+  std::string members;
+  for (const ShapeId id : strip) {
+    if (!members.empty()) members += ' ';
+    members += std::to_string(id);
+  }
+  Project::Transaction transaction(project);
+  project.set_setting(document_setting, document);
+  if (project.setting(strip_setting).value_or("") != members) project.set_setting(strip_setting, members);
+  transaction.commit();
 }
 
 }  // namespace
@@ -78,13 +95,26 @@ Document read_document(const Project& project) {
   return document;
 }
 
+std::vector<ShapeId> read_strip(const Project& project) {
+  std::vector<ShapeId> shapes;
+  std::istringstream text(project.setting(strip_setting).value_or(""));
+  text.imbue(std::locale::classic());
+  for (ShapeId id = 0; shapes.size() < most_strip_shapes && text >> id;)
+    if (project.find_shape(id) && std::ranges::count(shapes, id) == 0) shapes.push_back(id);
+  return shapes;
+}
+
 std::optional<std::string> save_document(const SaveDocument& request, const JobControl&) {
   try {
-    Project project = Project::open(request.project);
-    project.set_setting(document_setting, format_document(request.document));
+    const std::string text = format_document(request.document);
+    if (request.alone)
+      replace_file(request.project, text);
+    else
+      store(Project::open(request.project), text, request.strip);
     return "";
   } catch (const std::exception& error) {
-    return std::string("what you edit cannot be saved: ") + error.what();
+    return std::string("What you edit cannot be saved (it is tried again every few seconds): ") +
+           error.what();
   }
 }
 

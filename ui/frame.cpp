@@ -12,6 +12,7 @@
 #include "ui/centre_views.h"
 #include "ui/file_browser.h"
 #include "ui/panels.h"
+#include "ui/recovery.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
@@ -208,6 +209,8 @@ void draw_frame(Studio& studio) {
   draw_help_window(studio);
   draw_about_window(studio);
   draw_command_palette(studio);
+  draw_recovery_window(studio);
+  draw_closing_window(studio);
 }
 
 std::span<const Panel> all_panels() {

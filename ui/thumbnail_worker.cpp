@@ -23,10 +23,13 @@ class ThumbnailMaker {
   Picture make(const fs::path& path, const WantedThumbnail& wanted) {
     if (!project_ || project_->path() != path) project_.emplace(Project::open(path));
     const std::string kind(wanted.fitted ? parts_thumbnail : plain_kind);
+    const std::optional<PartTemplate> coloured = coloured_template(wanted);
+    // Colours that were chosen by hand change without a fit: such pictures are not kept.
+    if (coloured) return draw(wanted, &*coloured);
     if (const auto kept = project_->thumbnail(wanted.shape, kind); kept && kept->width == thumbnail_size)
       return *kept;
     const ThumbnailSource source = thumbnail_source(*project_, wanted.shape);
-    Picture picture = draw(wanted);
+    Picture picture = draw(wanted, nullptr);
     try {
       keep_thumbnail(*project_, wanted.shape, kind, picture, source);
     } catch (const Error&) {
@@ -36,12 +39,28 @@ class ThumbnailMaker {
   }
 
  private:
-  Picture draw(const WantedThumbnail& wanted) {
+  // The template that the shape is fitted with, if its parts were given colours by hand.
+  std::optional<PartTemplate> coloured_template(const WantedThumbnail& wanted) {
+    if (!wanted.fitted || !wanted.colours) return std::nullopt;
+    const auto fit = project_->fit(wanted.shape);
+    const auto record = fit ? project_->find_template(fit->part_template) : std::nullopt;
+    if (!record) return std::nullopt;
+    PartTemplate part_template = record->part_template;
+    const auto colours = wanted.colours->find(part_template.name);
+    if (colours == wanted.colours->end() || colours->second.size() != part_template.parts.size())
+      return std::nullopt;
+    for (std::size_t i = 0; i < part_template.parts.size(); ++i)
+      part_template.parts[i].colour = colours->second[i];
+    return part_template;
+  }
+
+  Picture draw(const WantedThumbnail& wanted, const PartTemplate* part_template) {
     const auto record = project_->find_shape(wanted.shape);
     if (!record) return {};
     std::shared_ptr<const Colours> colours;
     if (wanted.fitted)
-      if (const auto labels = project_->labels(wanted.shape)) colours = colours_of_labels(*labels);
+      if (const auto labels = project_->labels(wanted.shape))
+        colours = colours_of_labels(*labels, part_template);
     const ShapeFile file = read_shape(record->path);
     if (colours && colours->size() != file.mesh.element_count()) colours.reset();
     const ThumbnailOptions options{.size = thumbnail_size};

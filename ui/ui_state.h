@@ -11,8 +11,10 @@
 #include "core/io/project.h"
 #include "core/learning/initial_templates.h"
 #include "ui/centre_views.h"
+#include "ui/closing.h"
 #include "ui/collection.h"
 #include "ui/explorer_selection.h"
+#include "ui/key_changes.h"
 #include "ui/point_tools.h"
 #include "ui/template_look.h"
 #include "ui/typed_transform.h"
@@ -125,6 +127,7 @@ struct UiState {
   std::optional<CameraView> wanted_view;
   bool wanted_frame = false;  // frame the selected box, or the shape where none is selected
   bool cancel_drag = false;   // Esc was pressed
+  bool wanted_name = false;   // the part panel gives the keyboard to the field of the name
 
   GridState grid;
   PaletteState palette;
@@ -138,8 +141,10 @@ struct UiState {
   StripChoice strip;
   std::optional<TemplateLook> look;  // nothing: the active template of the document is shown
   bool help = false;                 // the list of keys
+  KeyChange key_change;              // in that list
   bool about = false;                // with the credits
-  std::string status;                // the line at the bottom: what was done last
+  Closing closing;
+  std::string status;  // the line at the bottom: what was done last
 };
 
 }  // namespace archetype
