@@ -27,7 +27,10 @@ bool is_for_suggestions(const Studio& studio, const KeyChord& chord) {
 
 void run_shortcuts(Studio& studio) {
   for (const KeyChord& chord : std::exchange(studio.pressed_keys, {})) {
-    if ((asks_to_close(studio) || offers_recovery(studio)) && chord.key != "Escape") continue;
+    const bool asks = asks_to_close(studio) || offers_recovery(studio);
+    const bool meant =
+        chord.key == "Escape" || to_string(chord) == key_of(studio, *find_command(studio, "picture"));
+    if (asks && !meant) continue;
     if (take_new_key(studio, chord)) continue;
     if (is_for_text_field(studio, chord) || is_for_suggestions(studio, chord)) continue;
     if (take_transform_key(studio, chord)) continue;
