@@ -10,7 +10,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::seconds rest_before_save{1};
 constexpr std::chrono::seconds rest_before_retry{5};
 
 bool waits(const Autosave& saving, const std::filesystem::path& project) {
@@ -46,28 +45,33 @@ void hand_out(Autosave& saving) {
 Autosave::Autosave(std::function<void()> wake) : saver(save_document, std::move(wake)) {}
 
 bool unsaved(const Studio& studio) {
-  return studio.collection.open() && studio.autosave.saved_revision != studio.history.revision();
+  const Autosave& saving = studio.autosave;
+  const bool document = saving.saved_revision != studio.history.committed_revision();
+  if (!studio.collection.open()) return studio.session && document;
+  return document || saving.saved_strip != studio.ui.strip.shapes;
 }
 
 void save_soon(Studio& studio) {
   if (!unsaved(studio)) return;
   Autosave& saving = studio.autosave;
-  saving.saved_revision = studio.history.revision();
-  std::erase_if(saving.waiting,
-                [&](const SaveDocument& each) { return each.project == studio.collection.path; });
-  saving.waiting.push_back({studio.collection.path, studio.history.committed()});
+  saving.saved_revision = studio.history.committed_revision();
+  saving.saved_strip = studio.ui.strip.shapes;
+  const bool alone = !studio.collection.open();
+  const std::filesystem::path& file = alone ? studio.session->document() : studio.collection.path;
+  std::erase_if(saving.waiting, [&](const SaveDocument& each) { return each.project == file; });
+  saving.waiting.push_back({file, studio.history.committed(), alone, studio.ui.strip.shapes});
 }
 
 void autosave(Studio& studio) {
   Autosave& saving = studio.autosave;
   take_over_result(studio);
-  const bool rested = Clock::now() - saving.edited_at >= rest_before_save;
-  if (rested && !studio.history.has_preview()) save_soon(studio);
+  save_soon(studio);
   if (Clock::now() >= saving.not_before) hand_out(saving);
 }
 
 void save_now(Studio& studio) {
   Autosave& saving = studio.autosave;
+  if (saving.given_up) return;
   save_soon(studio);
   // Each is tried once more at most; what fails goes to the end of the list.
   for (std::size_t tries = saving.waiting.size() + (saving.under_way ? 1 : 0); tries > 0; --tries) {

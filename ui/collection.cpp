@@ -1,18 +1,37 @@
 #include "ui/collection.h"
 
 #include <algorithm>
+#include <locale>
 #include <span>
+#include <sstream>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/io/file.h"
 #include "core/session/actions.h"
 #include "core/session/document_text.h"
+#include "ui/shape_strip.h"
 
 namespace archetype {
 namespace {
 
 constexpr const char* document_setting = "studio.document";
+constexpr const char* strip_setting = "studio.strip";  // numbers of shapes, with blanks between
+
+void store(Project project, const Document& document, const std::string& text,
+           const std::vector<ShapeId>& strip) {
+  std::string members;
+  for (const ShapeId id : strip) {
+    if (!members.empty()) members += ' ';
+    members += std::to_string(id);
+  }
+  Project::Transaction transaction(project);
+  project.set_setting(document_setting, text);
+  store_corrections(project, document);
+  if (project.setting(strip_setting).value_or("") != members) project.set_setting(strip_setting, members);
+  transaction.commit();
+}
 
 }  // namespace
 
@@ -79,16 +98,26 @@ void store_corrections(Project& project, const Document& document) {
   project.set_corrections(document.corrections ? *document.corrections : Corrections{});
 }
 
+std::vector<ShapeId> read_strip(const Project& project) {
+  std::vector<ShapeId> shapes;
+  std::istringstream text(project.setting(strip_setting).value_or(""));
+  text.imbue(std::locale::classic());
+  for (ShapeId id = 0; shapes.size() < most_strip_shapes && text >> id;)
+    if (project.find_shape(id) && std::ranges::count(shapes, id) == 0) shapes.push_back(id);
+  return shapes;
+}
+
 std::optional<std::string> save_document(const SaveDocument& request, const JobControl&) {
   try {
-    Project project = Project::open(request.project);
-    Project::Transaction transaction(project);
-    project.set_setting(document_setting, format_document(request.document));
-    store_corrections(project, request.document);
-    transaction.commit();
+    const std::string text = format_document(request.document);
+    if (request.alone)
+      replace_file(request.project, text);
+    else
+      store(Project::open(request.project), request.document, text, request.strip);
     return "";
   } catch (const std::exception& error) {
-    return std::string("what you edit cannot be saved: ") + error.what();
+    return std::string("What you edit cannot be saved (it is tried again every few seconds): ") +
+           error.what();
   }
 }
 

@@ -29,9 +29,10 @@ struct CollectionRows {
 };
 
 struct Collection {
-  std::filesystem::path path;  // of the project file; empty: nothing is open
-  std::string title;           // for people
-  bool untitled = false;       // lies among the program's own files: "Save as" has not been used yet
+  std::filesystem::path path;    // of the project file; empty: nothing is open
+  std::string title;             // for people
+  bool untitled = false;         // lies among the program's own files: "Save as" has not been used yet
+  std::filesystem::path folder;  // of the shapes of an untitled one: opening it brings the project back
   CollectionRows content;
   std::uint64_t revision = 0;  // changes with the content
 
@@ -56,7 +57,11 @@ void store_corrections(Project& project, const Document& document);
 struct SaveDocument {
   std::filesystem::path project;
   Document document;
+  bool alone = false;          // the file is no project, but holds the document and nothing else
+  std::vector<ShapeId> strip;  // the shapes of the strip
 };
+// Those that are still in the project.
+std::vector<ShapeId> read_strip(const Project& project);
 // For a worker; the result is what went wrong, or "".
 std::optional<std::string> save_document(const SaveDocument& request, const JobControl& control);
 using DocumentSaver = LatestWorker<SaveDocument, std::string>;

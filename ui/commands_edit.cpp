@@ -1,5 +1,6 @@
 // The menu Edit.
 #include "ui/command_groups.h"
+#include "ui/recovery.h"
 #include "ui/selection.h"
 #include "ui/studio.h"
 
@@ -27,7 +28,11 @@ std::string needs_redo(const Studio& studio) {
 
 // Esc: the nearest thing that is open or under way.
 void cancel_command(Studio& studio, Arguments) {
-  if (studio.ui.palette.open) {
+  if (asks_to_close(studio)) {
+    studio.ui.closing = {};
+  } else if (offers_recovery(studio)) {
+    close_recovery(studio);
+  } else if (studio.ui.palette.open) {
     studio.ui.palette.open = false;
   } else if (studio.ui.browser.open) {
     studio.ui.browser.open = false;

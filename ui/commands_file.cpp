@@ -36,7 +36,8 @@ void add_shapes_command(Studio& studio, Arguments arguments) {
 
 // A copy of half an import or fit, with the rest going into the file that it was made of, helps nobody.
 std::string needs_quiet_project(const Studio& studio) {
-  if (std::string reason = needs_collection(studio); !reason.empty()) return reason;
+  if (!studio.collection.open() && studio.history.committed().templates.empty())
+    return "open a folder or a project first, or make a template";
   return is_written(studio, studio.collection.path) ? "a job writes to the project; wait for it or stop it"
                                                     : "";
 }
@@ -165,7 +166,7 @@ void add_file_commands(std::vector<Command>& commands) {
                        .title = "Quit",
                        .menu = "File",
                        .key = "Ctrl+Q",
-                       .run = [](Studio& s, Arguments) { s.quit = true; },
+                       .run = [](Studio& s, Arguments) { request_close(s); },
                        .separator = true,
                        .at_once = true},
                   });

@@ -27,6 +27,10 @@ Vec3 vector_argument(Arguments arguments) {
 }
 
 void rename_command(Studio& studio, Arguments arguments) {
+  if (arguments.empty()) {
+    studio.ui.wanted_name = true;
+    return;
+  }
   rename_part(studio.history, *studio.ui.part, text_argument(arguments, 0, "a name"));
 }
 
@@ -107,7 +111,9 @@ void add_part_commands(std::vector<Command>& commands) {
                                        .edits = true},
                                       {.name = "rename-part",
                                        .title = "Rename the part",
-                                       .arguments = "NAME",
+                                       .menu = "Part",
+                                       .key = "F2",
+                                       .arguments = "[NAME]",
                                        .run = rename_command,
                                        .why_not = needs_part,
                                        .edits = true},

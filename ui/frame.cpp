@@ -13,6 +13,7 @@
 #include "ui/file_browser.h"
 #include "ui/filter_panel.h"
 #include "ui/panels.h"
+#include "ui/recovery.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
@@ -210,6 +211,8 @@ void draw_frame(Studio& studio) {
   draw_help_window(studio);
   draw_about_window(studio);
   draw_command_palette(studio);
+  draw_recovery_window(studio);
+  draw_closing_window(studio);
 }
 
 std::span<const Panel> all_panels() {

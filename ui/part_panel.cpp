@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "core/model/part_colours.h"
 #include "core/session/actions.h"
@@ -54,14 +55,36 @@ void vector_row(Studio& studio, const char* name, const char* hint, const Vec3& 
     apply(edited, Stage::live);
 }
 
+void preview_name(Studio& studio, std::size_t part, const std::string& name) {
+  Document document = studio.history.current();
+  PartTemplate renamed = *document.active_template();
+  renamed.parts[part].name = name;
+  document.templates[document.active] = std::make_shared<const PartTemplate>(std::move(renamed));
+  studio.history.preview(std::move(document));
+}
+
 void name_row(Studio& studio, std::size_t part, const TemplatePart& shown) {
-  row_label(studio, "Name", nullptr);
+  row_label(studio, "Name", "What people call the part. F2 comes here.");
   std::string name = shown.name;
   ImGui::SetNextItemWidth(-1);
+  if (std::exchange(studio.ui.wanted_name, false)) {
+    const float low = ImGui::GetCursorScreenPos().y - ImGui::GetWindowPos().y;
+    const bool seen = low >= 0 && low + ImGui::GetFrameHeight() <= ImGui::GetWindowHeight();
+    if (!seen) ImGui::SetScrollHereY();
+    ImGui::SetWindowFocus();
+    ImGui::SetKeyboardFocusHere();
+  }
   ImGui::InputText("##name", &name, ImGuiInputTextFlags_AutoSelectAll);
   mark_target(studio, "field:Name");
-  const bool renamed = ImGui::IsItemDeactivatedAfterEdit() && !name.empty();
-  if (renamed) rename_part(studio.history, part, name);
+  const bool over = ImGui::IsItemDeactivatedAfterEdit();
+  // The field gives its text back only while it has the keyboard: after Tab, or a click elsewhere, what was
+  // typed is that of the preview.
+  if (over && name.empty())
+    studio.history.cancel_preview();
+  else if (over)
+    rename_part(studio.history, part, name);
+  else if (ImGui::IsItemEdited())
+    preview_name(studio, part, name);
 }
 
 void label_row(Studio& studio, const TemplatePart& shown) {

@@ -10,6 +10,7 @@
 #include "core/io/template_file.h"
 #include "core/session/actions.h"
 #include "core/session/fit_collection.h"
+#include "ui/recovery.h"
 #include "ui/selection.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
@@ -28,9 +29,11 @@ struct OpenedProject {
   fs::path path;
   std::string title;
   bool untitled = false;
+  fs::path folder;  // of an untitled one
   CollectionRows content;
   Document document;
   bool document_is_stored = true;  // it is the one in the file
+  std::vector<ShapeId> strip;
   std::vector<Credit> credits;
 };
 
@@ -41,14 +44,23 @@ OpenedProject read_project(const fs::path& path, const std::string& title) {
   opened.title = title;
   opened.content = read_rows(project);
   opened.document = read_document(project);
+  opened.strip = read_strip(project);
   if (const auto folder = project.setting("studio.folder")) opened.credits = read_credits(*folder);
   return opened;
 }
 
+// The session need not hold the document any more once the project does.
+void hand_over_to_project(Studio& studio) {
+  save_soon(studio);
+  if (studio.session) studio.autosave.waiting.push_back({studio.session->document(), {}, true, {}});
+}
+
 void put_into_view(Studio& studio, OpenedProject opened) {
   save_soon(studio);
+  const bool first = !studio.collection.open();
   // Templates that were made before anything was open come along.
-  if (opened.document.templates.empty() && !studio.collection.open()) {
+  const bool brings_templates = opened.document.templates.empty() && first;
+  if (brings_templates) {
     opened.document = studio.history.committed();
     opened.document_is_stored = opened.document.templates.empty();
   }
@@ -56,13 +68,19 @@ void put_into_view(Studio& studio, OpenedProject opened) {
   studio.collection.path = std::move(opened.path);
   studio.collection.title = std::move(opened.title);
   studio.collection.untitled = opened.untitled;
+  studio.collection.folder = std::move(opened.folder);
   studio.collection.content = std::move(opened.content);
   ++studio.collection.revision;
   studio.credits = std::move(opened.credits);
   studio.history = History(std::move(opened.document), "Open " + studio.collection.title);
   studio.autosave.edited_revision = studio.history.revision();
   studio.autosave.saved_revision.reset();
-  if (opened.document_is_stored) studio.autosave.saved_revision = studio.history.revision();
+  if (opened.document_is_stored) studio.autosave.saved_revision = studio.history.committed_revision();
+  studio.autosave.saved_strip = opened.strip;
+  studio.ui.strip = {.shapes = std::move(opened.strip)};
+  studio.autosave.opened = brings_templates ? Document{} : studio.history.committed();
+  if (first) hand_over_to_project(studio);
+  note_open_project(studio);
   select_only(studio.ui, std::nullopt);
   studio.ui.grid = {};
   forget_filter(studio.ui.shown);
@@ -121,6 +139,7 @@ void open_prepared_folder(Studio& studio, const fs::path& folder, const std::str
                                                                 fs::absolute(folder).string());
                       OpenedProject opened = read_project(path, title);
                       opened.untitled = true;
+                      opened.folder = folder;
                       const bool first_time = opened.document.templates.empty() && !starting_template.empty();
                       if (first_time) {
                         opened.document.templates.push_back(
@@ -166,6 +185,13 @@ void open_project(Studio& studio, const fs::path& path) {
   });
 }
 
+void reopen_project(Studio& studio, const SessionRecord& record) {
+  if (!record.folder.empty() && fs::is_directory(record.folder))
+    open_prepared_folder(studio, record.folder, record.title, {}, {});
+  else
+    open_project(studio, record.project);
+}
+
 void add_shapes(Studio& studio, const std::vector<fs::path>& paths) {
   for (const fs::path& path : paths)
     if (!fs::exists(path)) throw FileError(path, "there is no such file or folder");
@@ -197,28 +223,35 @@ void save_project_as(Studio& studio, const fs::path& wanted) {
   if (path.extension() != ".archetype") path += ".archetype";
   if (fs::exists(path)) throw FileError(path, "exists already; choose another name");
   const fs::path from = studio.collection.path;
-  const std::uint64_t revision = studio.history.revision();
-  studio.jobs.start(
-      "Save as " + path.filename().string(),
-      [&studio, from, path, revision,
-       document = studio.history.committed()](const JobControl& control) -> Jobs::Apply {
-        Project::open(from).copy_to(path);
-        // What is newest may not have come to the file that was copied.
-        if (const auto problem = save_document({path, document}, control); problem && !problem->empty())
-          throw Error(*problem);
-        return [&studio, from, path, revision] {
-          remember_recent(studio.settings, path);
-          if (studio.collection.path != from || is_written(studio, from)) {
-            say(studio, Severity::note, "A copy was saved as " + path.string());
-            return;
-          }
-          studio.collection.path = path;
-          studio.collection.title = path.stem().string();
-          studio.collection.untitled = false;
-          studio.autosave.saved_revision = revision;  // edits since then are still to come into the copy
-          say(studio, Severity::note, "Saved as " + path.string());
-        };
-      });
+  const std::uint64_t revision = studio.history.committed_revision();
+  studio.jobs.start("Save as " + path.filename().string(),
+                    [&studio, from, path, revision, document = studio.history.committed(),
+                     strip = studio.ui.strip.shapes](const JobControl& control) -> Jobs::Apply {
+                      if (from.empty())
+                        Project::create(path);
+                      else
+                        Project::open(from).copy_to(path);
+                      // What is newest may not have come to the file that was copied.
+                      if (const auto problem = save_document({path, document, false, strip}, control);
+                          problem && !problem->empty())
+                        throw Error(*problem);
+                      return [&studio, from, path, revision] {
+                        remember_recent(studio.settings, path);
+                        if (studio.collection.path != from || is_written(studio, from)) {
+                          say(studio, Severity::note, "A copy was saved as " + path.string());
+                          return;
+                        }
+                        studio.collection.path = path;
+                        studio.collection.title = path.stem().string();
+                        studio.collection.untitled = false;
+                        studio.collection.folder.clear();
+                        studio.autosave.saved_revision =
+                            revision;  // edits since then are still to come into the copy
+                        if (from.empty()) hand_over_to_project(studio);
+                        note_open_project(studio);
+                        say(studio, Severity::note, "Saved as " + path.string());
+                      };
+                    });
 }
 
 void fit_all(Studio& studio) {

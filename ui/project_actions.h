@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/session/import_shapes.h"
+#include "core/session/session_mark.h"
 
 namespace archetype {
 
@@ -19,14 +20,17 @@ void open_path(Studio& studio, const std::filesystem::path& path);
 // is new is read beside.
 void open_folder(Studio& studio, const std::filesystem::path& folder);
 void open_project(Studio& studio, const std::filesystem::path& path);
+// The project that an earlier session had open.
+void reopen_project(Studio& studio, const SessionRecord& record);
 void add_shapes(Studio& studio, const std::vector<std::filesystem::path>& paths);
 
 // Whether a job writes shapes or fits to the project, and whether it is one that fits.
 bool is_written(const Studio& studio, const std::filesystem::path& project);
 bool is_fitted(const Studio& studio, const std::filesystem::path& project);
 
-// Copies the project; the copy is the one that is worked on from then on, unless another project has come
-// into view meanwhile or a job writes to the one that was copied.
+// Copies the project, or makes one of the templates while none is open; the copy is the one that is worked on
+// from then on, unless another project has come into view meanwhile or a job writes to the one that was
+// copied.
 void save_project_as(Studio& studio, const std::filesystem::path& path);
 
 // The active template on every shape; results come into the grid as they are made.

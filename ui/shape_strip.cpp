@@ -19,12 +19,12 @@ bool is_of(const StripTile& tile, ShapeId id) {
 void follow_members(Studio& studio) {
   ShapeStrip& strip = studio.strip;
   StripChoice& choice = studio.ui.strip;
+  if (!studio.collection.open()) choice = {};
   if (strip.project != studio.collection.path) {
     strip.project = studio.collection.path;
     strip.tiles.clear();
     strip.loader.cancel();
     strip.loading.reset();
-    choice = {};
     ++strip.tiles_revision;
   }
   if (std::ranges::equal(strip.tiles, choice.shapes, is_of)) return;
@@ -130,6 +130,8 @@ void ask_for_fits(Studio& studio) {
   request.dragging = studio.history.has_preview();
   const bool other_tiles = strip.asked_tiles != strip.tiles_revision;
   const auto look = studio.ui.look ? request.part_template : nullptr;
+  // With the first boxes of a template any yaw fits as well as another: the shapes would turn at every one.
+  request.keep_yaw = !look && stands_as_shown(studio);
   const bool other_look = look != strip.asked_look;
   if (strip.asked_document == request.document_revision && !other_tiles && !other_look) return;
   for (const StripTile& tile : strip.tiles) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/recovery.h"
 #include "ui/studio.h"
 
 namespace archetype {
@@ -26,6 +27,11 @@ bool is_for_suggestions(const Studio& studio, const KeyChord& chord) {
 
 void run_shortcuts(Studio& studio) {
   for (const KeyChord& chord : std::exchange(studio.pressed_keys, {})) {
+    const bool asks = asks_to_close(studio) || offers_recovery(studio);
+    const bool meant =
+        chord.key == "Escape" || to_string(chord) == key_of(studio, *find_command(studio, "picture"));
+    if (asks && !meant) continue;
+    if (take_new_key(studio, chord)) continue;
     if (is_for_text_field(studio, chord) || is_for_suggestions(studio, chord)) continue;
     if (take_transform_key(studio, chord)) continue;
     const std::string text = to_string(chord);

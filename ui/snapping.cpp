@@ -93,12 +93,41 @@ Snapped snap_moved(const Box& box, const BoxDrag& drag, const DragModifiers& mod
   return result;
 }
 
+// A corner: the face that is nearest to a plane decides how much all three sides grow.
+Snapped snap_in_proportion(const Box& box, const BoxDrag& drag, const DragModifiers& modifiers,
+                           const std::vector<SnapPlane>& planes, double reach) {
+  Snapped result{box};
+  Pull best{reach, nullptr};
+  double share = 1;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 out = drag.handle.side[static_cast<std::size_t>(k)] * axis_of(box, k);
+    Eigen::Index axis = 0;
+    if (out.cwiseAbs().maxCoeff(&axis) < 1 - straight) continue;
+    const double face = box.centre[axis] + out[axis] * box.half_extent[k];
+    const Pull pull = nearest_pull(planes, static_cast<int>(axis), face, face, face, std::abs(best.way));
+    if (!pull.plane) continue;
+    const double outwards = pull.way * (out[axis] > 0 ? 1 : -1);
+    const double half = box.half_extent[k] + (modifiers.about_centre ? outwards : 0.5 * outwards);
+    if (half / box.half_extent[k] * box.half_extent.minCoeff() < min_half_extent) continue;
+    best = pull;
+    share = half / box.half_extent[k];
+  }
+  if (!best.plane) return result;
+  result.box.half_extent = share * box.half_extent;
+  if (!modifiers.about_centre)
+    for (int k = 0; k < 3; ++k)
+      result.box.centre +=
+          (share - 1) * box.half_extent[k] * drag.handle.side[static_cast<std::size_t>(k)] * axis_of(box, k);
+  result.planes.push_back(*best.plane);
+  return result;
+}
+
 Snapped snap_resized(const Box& box, const BoxDrag& drag, const DragModifiers& modifiers,
                      const std::vector<SnapPlane>& planes, double reach) {
   Snapped result{box};
   const auto& side = drag.handle.side;
   const bool in_proportion = side[0] != 0 && side[1] != 0 && side[2] != 0 && !modifiers.only_axis;
-  if (in_proportion) return result;
+  if (in_proportion) return snap_in_proportion(box, drag, modifiers, planes, reach);
   for (int k = 0; k < 3; ++k) {
     const int sign = side[static_cast<std::size_t>(k)];
     if (sign == 0 || (modifiers.only_axis && *modifiers.only_axis != k)) continue;

@@ -23,13 +23,21 @@ void draw_status_bar(Studio& studio) {
     right = studio.shape.record->name + "  ·  " + count_text(studio.shape.record->element_count) +
             (studio.shape.record->point_set ? " points" : " faces");
   }
+  const Palette& p = colours(studio);
+  // For as long as it lasts, whatever else is said meanwhile.
+  const std::string& unsavable = studio.autosave.problem;
+  if (!unsavable.empty()) right = "NOT SAVED";
   const float space = ImGui::GetContentRegionAvail().x;
   const float right_width = ImGui::CalcTextSize(right.c_str()).x;
   std::string left = studio.ui.status;
+  if (!unsavable.empty()) left = unsavable;
   if (left.empty()) left = "Ctrl+P finds every command, F1 lists the keys";
-  muted_text(studio, fitted(left, space - right_width - 24 * studio.fonts.scale));
+  ImGui::PushStyleColor(ImGuiCol_Text, unsavable.empty() ? p.muted : p.error);
+  ImGui::TextUnformatted(fitted(left, space - right_width - 24 * studio.fonts.scale).c_str());
+  if (!unsavable.empty()) tooltip(unsavable.c_str());
   ImGui::SameLine(ImGui::GetCursorPosX() + space - right_width);
-  muted_text(studio, right);
+  ImGui::TextUnformatted(right.c_str());
+  ImGui::PopStyleColor();
 }
 
 }  // namespace archetype

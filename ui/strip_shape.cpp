@@ -137,6 +137,7 @@ std::optional<StripFitResult> StripFitters::run(const StripFitRequest& request, 
     one.samples = request.shapes[i]->samples;
     if (request.starts[i])
       one.start = std::shared_ptr<const ViewFit>(request.starts[i], &request.starts[i]->view);
+    one.keep_yaw = request.keep_yaw;
     one.dragging = request.dragging;
     const std::optional<LiveFitResult> fitted = fitters_.at(request.shapes[i]->id).run(one, control);
     if (!fitted) return;

@@ -50,7 +50,8 @@ struct StripFitRequest {
   std::shared_ptr<const PartTemplate> part_template;
   std::vector<std::shared_ptr<const StripShape>> shapes;
   std::vector<std::shared_ptr<const StripFit>> starts;  // as many; null where there is none
-  bool dragging = false;                                // see LiveFitRequest
+  bool keep_yaw = false;                                // see LiveFitRequest
+  bool dragging = false;
   std::uint64_t document_revision = 0;
 };
 

@@ -88,7 +88,6 @@ void note_edit(Studio& studio) {
   Autosave& saving = studio.autosave;
   if (studio.history.revision() == saving.edited_revision) return;
   saving.edited_revision = studio.history.revision();
-  saving.edited_at = Clock::now();
   stop_looking(studio);
   if (studio.shape.samples) studio.latency.edited(saving.edited_revision, studio.frame_start);
 }
@@ -178,6 +177,7 @@ void begin_frame(Studio& studio) {
   }
   if (auto listing = studio.directory_reader.poll()) studio.directory = std::move(listing);
   studio.thumbnails.begin_frame(studio.collection.path);
+  studio.thumbnails.follow_colours(studio.history.committed());
   follow_rows(studio);
   take_over_shape(studio);
   take_over_fit(studio);
@@ -199,6 +199,7 @@ void end_frame(Studio& studio) {
   end_fit_tables(studio);
   studio.thumbnails.end_frame();
   autosave(studio);
+  follow_closing(studio);
 }
 
 void frame_shown(Studio& studio) {

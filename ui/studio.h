@@ -12,6 +12,7 @@
 #include "core/session/history.h"
 #include "core/session/jobs.h"
 #include "core/session/messages.h"
+#include "core/session/session_mark.h"
 #include "core/session/settings.h"
 #include "core/session/user_folders.h"
 #include "ui/autosave.h"
@@ -93,6 +94,9 @@ struct Studio {
   std::optional<ScriptedDrag> drag;
   std::optional<ScriptedScroll> scroll;
   bool quit = false;
+  bool attended = true;  // somebody is there to answer questions: no script or screenshot is under way
+  std::optional<SessionMark> session;
+  std::vector<LostSession> lost;  // what earlier sessions left, still to be offered
 
   // Beside the window. Last, so that they are stopped before what they tell of goes.
   ShapeLoader shape_loader;

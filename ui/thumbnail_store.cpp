@@ -25,7 +25,22 @@ std::string ThumbnailStore::take_problem() {
   return problem;
 }
 
-std::uint32_t ThumbnailStore::use(const WantedThumbnail& wanted) {
+void ThumbnailStore::follow_colours(const Document& document) {
+  HandColours colours;
+  for (const auto& part_template : document.templates) {
+    if (std::ranges::all_of(part_template->parts, [](const TemplatePart& part) { return part.colour < 0; }))
+      continue;
+    std::vector<int>& own = colours[part_template->name];
+    for (const TemplatePart& part : part_template->parts) own.push_back(part.colour);
+  }
+  if (colours.empty())
+    colours_.reset();
+  else if (!colours_ || *colours_ != colours)
+    colours_ = std::make_shared<const HandColours>(std::move(colours));
+}
+
+std::uint32_t ThumbnailStore::use(WantedThumbnail wanted) {
+  if (wanted.fitted) wanted.colours = colours_;
   const auto found = entries_.find(wanted.shape);
   if (found == entries_.end() || found->second.wanted != wanted) missing_.push_back(wanted);
   if (found == entries_.end()) return 0;
@@ -33,7 +48,8 @@ std::uint32_t ThumbnailStore::use(const WantedThumbnail& wanted) {
   return found->second.texture ? found->second.texture->name() : 0;
 }
 
-void ThumbnailStore::expect(const WantedThumbnail& wanted) {
+void ThumbnailStore::expect(WantedThumbnail wanted) {
+  if (wanted.fitted) wanted.colours = colours_;
   const auto found = entries_.find(wanted.shape);
   if (found == entries_.end() || found->second.wanted != wanted) expected_.push_back(wanted);
 }

@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/session/document.h"
 #include "render/gl/framebuffer.h"
 #include "ui/collection.h"
 #include "ui/thumbnail_worker.h"
@@ -24,9 +25,11 @@ class ThumbnailStore {
 
   // The texture to draw now, or 0 where there is none yet; an older picture stands in until the new one is
   // there. What is not used in a frame is not made, and goes once there are too many.
-  std::uint32_t use(const WantedThumbnail& wanted);
+  std::uint32_t use(WantedThumbnail wanted);
   // It may be wanted soon: made when nothing else is.
-  void expect(const WantedThumbnail& wanted);
+  void expect(WantedThumbnail wanted);
+  // The colours that parts were given by hand are those of the document from then on.
+  void follow_colours(const Document& document);
   // Once a frame, before its panels: takes over what was made, and forgets what is of another project. Needs
   // the window's OpenGL context.
   void begin_frame(const std::filesystem::path& project);
@@ -50,6 +53,7 @@ class ThumbnailStore {
   std::vector<WantedThumbnail> expected_;
   std::vector<WantedThumbnail> asked_;
   std::filesystem::path project_;
+  std::shared_ptr<const HandColours> colours_;
   std::uint64_t frame_ = 0;
   bool problem_taken_ = false;
   ThumbnailWorker worker_;

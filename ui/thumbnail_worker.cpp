@@ -58,7 +58,10 @@ class ThumbnailMaker {
       templates_.clear();
     }
     if (!wanted.fitted) return kept_or_drawn(wanted.shape, plain_kind);
-    Picture picture = kept_or_drawn(wanted.shape, parts_thumbnail);
+    // Colours that were chosen by hand change without a fit: such pictures are not kept.
+    const std::optional<PartTemplate> coloured = coloured_template(wanted);
+    Picture picture = coloured ? draw(wanted.shape, parts_thumbnail, &*coloured)
+                               : kept_or_drawn(wanted.shape, parts_thumbnail);
     if (wanted.highlighted >= 0)
       highlight_part(picture, kept_or_drawn(wanted.shape, part_mask_thumbnail), wanted.highlighted);
     return picture;
@@ -70,7 +73,7 @@ class ThumbnailMaker {
     if (auto kept = project_->thumbnail(shape, name); kept && kept->width == thumbnail_size)
       return *std::move(kept);
     const ThumbnailSource source = thumbnail_source(*project_, shape);
-    Picture picture = draw(shape, kind);
+    Picture picture = draw(shape, kind, nullptr);
     try {
       if (picture.width > 0) keep_thumbnail(*project_, shape, name, picture, source);
     } catch (const Error&) {
@@ -79,13 +82,28 @@ class ThumbnailMaker {
     return picture;
   }
 
-  Picture draw(ShapeId shape, std::string_view kind) {
+  // The template that the shape is fitted with, if its parts were given colours by hand.
+  std::optional<PartTemplate> coloured_template(const WantedThumbnail& wanted) {
+    if (!wanted.colours) return std::nullopt;
+    const auto fit = project_->fit(wanted.shape);
+    if (!fit) return std::nullopt;
+    PartTemplate part_template = template_of(fit->part_template);
+    const auto colours = wanted.colours->find(part_template.name);
+    if (colours == wanted.colours->end() || colours->second.size() != part_template.parts.size())
+      return std::nullopt;
+    for (std::size_t i = 0; i < part_template.parts.size(); ++i)
+      part_template.parts[i].colour = colours->second[i];
+    return part_template;
+  }
+
+  // `coloured`: null, or the template of the fit with other colours.
+  Picture draw(ShapeId shape, std::string_view kind, const PartTemplate* coloured) {
     const auto record = project_->find_shape(shape);
     if (!record) return {};
     const ShapeFile file = read_shape(record->path);
     ThumbnailOptions options{.size = thumbnail_size, .mask = kind == part_mask_thumbnail};
     std::shared_ptr<const Colours> colours;
-    if (kind != plain_kind) colours = pose(shape, file.mesh.element_count(), options);
+    if (kind != plain_kind) colours = pose(shape, file.mesh.element_count(), coloured, options);
     if (file.mesh.is_point_set()) {
       const auto points =
           std::make_shared<const PointGeometry>(make_point_geometry(file.mesh, record->frame));
@@ -96,7 +114,8 @@ class ThumbnailMaker {
   }
 
   // As the fit has the shape stand in the template's frame; the colours of its elements, null without labels.
-  std::shared_ptr<const Colours> pose(ShapeId shape, std::size_t elements, ThumbnailOptions& options) {
+  std::shared_ptr<const Colours> pose(ShapeId shape, std::size_t elements, const PartTemplate* coloured,
+                                      ThumbnailOptions& options) {
     const auto fit = project_->fit(shape);
     if (!fit) return nullptr;
     const PartTemplate& part_template = template_of(fit->part_template);
@@ -104,7 +123,7 @@ class ThumbnailMaker {
     options.framed = corners_of(framed_extent(part_template));
     const auto labels = project_->labels(shape);
     if (!labels || labels->size() != elements) return nullptr;
-    if (!options.mask) return colours_of_labels(*labels, &part_template);
+    if (!options.mask) return colours_of_labels(*labels, coloured ? coloured : &part_template);
     auto colours = std::make_shared<Colours>();
     for (const std::int16_t label : *labels) colours->push_back(mask_colour(label));
     return colours;

@@ -6,8 +6,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -16,11 +19,15 @@
 
 namespace archetype {
 
+// Of the templates with parts that were given a colour by hand: by name, TemplatePart::colour of each part.
+using HandColours = std::map<std::string, std::vector<int>>;
+
 struct WantedThumbnail {
   ShapeId shape = 0;
   std::uint64_t stamp = 0;  // of the file and the fit that it shows
   bool fitted = false;      // false: the plain surface
   int highlighted = -1;     // the part whose colours are kept while all others are dimmed; -1: none is
+  std::shared_ptr<const HandColours> colours = {};  // null: nobody chose one
   friend bool operator==(const WantedThumbnail&, const WantedThumbnail&) = default;
 };
 

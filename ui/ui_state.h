@@ -11,10 +11,12 @@
 #include "core/io/project.h"
 #include "core/learning/initial_templates.h"
 #include "ui/centre_views.h"
+#include "ui/closing.h"
 #include "ui/cloud_choice.h"
 #include "ui/clusters_state.h"
 #include "ui/collection.h"
 #include "ui/explorer_selection.h"
+#include "ui/key_changes.h"
 #include "ui/plots_state.h"
 #include "ui/point_tools.h"
 #include "ui/shape_map_state.h"
@@ -127,6 +129,7 @@ struct UiState {
   std::optional<CameraView> wanted_view;
   bool wanted_frame = false;  // frame the selected box, or the shape where none is selected
   bool cancel_drag = false;   // Esc was pressed
+  bool wanted_name = false;   // the part panel gives the keyboard to the field of the name
 
   ShownShapes shown;
   GridState grid;
@@ -144,8 +147,10 @@ struct UiState {
   StripChoice strip;
   std::optional<TemplateLook> look;  // nothing: the active template of the document is shown
   bool help = false;                 // the list of keys
+  KeyChange key_change;              // in that list
   bool about = false;                // with the credits
-  std::string status;                // the line at the bottom: what was done last
+  Closing closing;
+  std::string status;  // the line at the bottom: what was done last
 };
 
 }  // namespace archetype

@@ -117,8 +117,10 @@ void DesktopWindow::on_drop(GLFWwindow* window, int count, const char** paths) {
   }
 }
 
-bool DesktopWindow::close_wanted() const {
-  return glfwWindowShouldClose(window_.get()) != 0;
+bool DesktopWindow::take_close_wish() {
+  const bool wanted = glfwWindowShouldClose(window_.get()) != 0;
+  glfwSetWindowShouldClose(window_.get(), GLFW_FALSE);
+  return wanted;
 }
 
 // Nothing is drawn while nothing changes. Something that runs by itself wakes the loop when it has news; now

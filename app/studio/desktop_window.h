@@ -27,7 +27,8 @@ class DesktopWindow {
   Studio& studio() { return *studio_; }
   // Waits for events, for as long as nothing changes by itself, then draws a frame.
   void frame();
-  bool close_wanted() const;
+  // Once for each time that its cross was pressed.
+  bool take_close_wish();
 
  private:
   static void on_key(GLFWwindow* window, int key, int scancode, int action, int mods);

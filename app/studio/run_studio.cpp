@@ -11,6 +11,7 @@
 #include "render/picture_file.h"
 #include "ui/headless_window.h"
 #include "ui/project_actions.h"
+#include "ui/recovery.h"
 #include "ui/script.h"
 
 namespace archetype {
@@ -123,9 +124,10 @@ void draw_frames(Window& window, Errand& errand) {
   for (;;) {
     window.frame();
     take_picture(studio);
+    studio.attended = !errand.under_way();
     if (errand.advance_frame(studio)) break;
     if constexpr (std::is_same_v<Window, DesktopWindow>) {
-      if (window.close_wanted()) break;
+      if (window.take_close_wish()) request_close(studio);
     } else if (!settled(studio)) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));  // leaves the processor to the jobs
     }
@@ -139,7 +141,10 @@ int run_window(Window& window, const StudioRequest& request, const Settings& set
   studio.settings = settings;
   if (!problem.empty()) studio.messages.warn(problem);
   Errand errand = errand_of(request, studio);
-  open_first(studio, request.open);
+  if (!request.quit) begin_session(studio);
+  // What was open when the program was killed is offered before anything else comes into view.
+  if (!request.open.empty() || !request.script.empty() || studio.lost.empty())
+    open_first(studio, request.open);
   const bool unattended = request.quit;
   try {
     draw_frames(window, errand);

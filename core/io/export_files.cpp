@@ -146,7 +146,8 @@ std::string boxes_rows(const std::string& shape, const ShapeFrame& frame, const 
   return rows;
 }
 
-std::string coaligned_ply(const ShapeSamples& samples, std::span<const Vec3> canonical, const ShapeFit& fit) {
+std::string coaligned_ply(const PartTemplate& part_template, const ShapeSamples& samples,
+                          std::span<const Vec3> canonical, const ShapeFit& fit) {
   std::string ply = "ply\nformat binary_little_endian 1.0\ncomment written by Archetype\nelement vertex " +
                     std::to_string(samples.size()) + '\n';
   for (const char* name : {"x", "y", "z", "cx", "cy", "cz"})
@@ -159,7 +160,7 @@ std::string coaligned_ply(const ShapeSamples& samples, std::span<const Vec3> can
     put(ply, canonical[i]);
     put(ply, std::int32_t{fit.labels[i]});
     put(ply, samples.faces[i]);
-    for (const std::uint8_t channel : part_colour(fit.labels[i])) put(ply, channel);
+    for (const std::uint8_t channel : part_colour(part_template, fit.labels[i])) put(ply, channel);
   }
   return ply;
 }

@@ -28,7 +28,8 @@ std::string boxes_header();
 std::string boxes_rows(const std::string& shape, const ShapeFrame& frame, const ShapeFit& fit);
 
 // Binary little-endian PLY: x y z in file coordinates, cx cy cz in the canonical space, part (-1: none),
-// face, red green blue of the part. `canonical` has one entry per sample.
-std::string coaligned_ply(const ShapeSamples& samples, std::span<const Vec3> canonical, const ShapeFit& fit);
+// face, red green blue of the part of the template. `canonical` has one entry per sample.
+std::string coaligned_ply(const PartTemplate& part_template, const ShapeSamples& samples,
+                          std::span<const Vec3> canonical, const ShapeFit& fit);
 
 }  // namespace archetype

@@ -36,13 +36,18 @@ bool may_write(const fs::path& path) {
   return ::access(path.c_str(), W_OK) == 0;
 }
 
-// On a medium or in a folder where nothing can be written, a project can still be read: unless a program that
-// ended without closing it left its newest commits in the log beside it.
-Database::Mode mode_for(const fs::path& path) {
-  if (may_write(path) && may_write(path.parent_path())) return Database::Mode::open;
+// A program that ended without closing the project, or has it open, left its newest commits in the log beside
+// it.
+bool has_log(const fs::path& path) {
   std::error_code none;
   const std::uintmax_t log = fs::file_size(path.string() + "-wal", none);
-  return none || log == 0 ? Database::Mode::read : Database::Mode::open;
+  return !none && log > 0;
+}
+
+// On a medium or in a folder where nothing can be written, a project can still be read if it has no log.
+Database::Mode mode_for(const fs::path& path) {
+  if (may_write(path) && may_write(path.parent_path())) return Database::Mode::open;
+  return has_log(path) ? Database::Mode::open : Database::Mode::read;
 }
 
 std::unique_ptr<Database> open_database(const fs::path& path) {
@@ -90,9 +95,18 @@ Project Project::create(const fs::path& path) {
 
 Project Project::open(const fs::path& path) {
   auto connection = std::make_unique<Connection>();
-  connection->database = open_database(fs::absolute(path));
-  check_and_migrate_schema(*connection->database);
-  if (connection->database->writable()) connection->database->execute("PRAGMA journal_mode = WAL");
+  const fs::path absolute = fs::absolute(path);
+  try {
+    connection->database = open_database(absolute);
+    check_and_migrate_schema(*connection->database);
+    if (connection->database->writable()) connection->database->execute("PRAGMA journal_mode = WAL");
+  } catch (const DiskFull&) {
+    // The log itself has no room.
+    connection->database.reset();
+    if (has_log(absolute)) throw;
+    connection->database = std::make_unique<Database>(absolute, Database::Mode::read_full);
+    check_and_migrate_schema(*connection->database);
+  }
   return Project(std::move(connection));
 }
 

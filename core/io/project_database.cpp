@@ -3,7 +3,7 @@
 
 #include <sqlite3.h>
 
-#include "core/base/error.h"
+#include <cerrno>
 
 namespace archetype {
 
@@ -12,10 +12,17 @@ namespace {
 constexpr int longest_value = 512 * 1024 * 1024;  // bytes; labels of 250 million faces
 constexpr int wait_for_lock = 10'000;             // milliseconds
 
-std::string advice(int code) {
+// `system` is the errno of what failed: on a full disk, SQLite's own code may be that of any file it wanted.
+// Throws DiskFull, which has an advice of its own.
+std::string advice(int code, int system, const std::filesystem::path& file) {
+  if (system == ENOSPC || system == EDQUOT || system == EFBIG) throw DiskFull(file);
+  if (code == SQLITE_IOERR_WRITE || code == SQLITE_IOERR_SHMSIZE)
+    return "the disk is full, a limit is reached or it is broken; what was committed before is safe: free "
+           "some space and "
+           "try again";
   switch (code & 0xff) {
     case SQLITE_FULL:
-      return "the disk is full; what was committed before is safe: free some space and run the same again";
+      throw DiskFull(file);
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       return "another program is writing to it; wait for that to end and try again";
@@ -41,6 +48,7 @@ std::string advice(int code) {
 int flags_of(Database::Mode mode) {
   switch (mode) {
     case Database::Mode::read:
+    case Database::Mode::read_full:
       return SQLITE_OPEN_READONLY | SQLITE_OPEN_URI;
     case Database::Mode::open:
       return SQLITE_OPEN_READWRITE;
@@ -61,15 +69,20 @@ std::string immutable_uri(const std::filesystem::path& path) {
 
 }  // namespace
 
-Database::Database(const std::filesystem::path& path, Mode mode) : path_(path) {
+DiskFull::DiskFull(const std::filesystem::path& file)
+    : FileError(file, "the disk is full; what was committed before is safe: free some space and try again") {}
+
+Database::Database(const std::filesystem::path& path, Mode mode)
+    : path_(path), disk_full_(mode == Mode::read_full) {
   const int flags = flags_of(mode) | SQLITE_OPEN_EXRESCODE;
-  const std::string name = mode == Mode::memory ? ":memory:"
-                           : mode == Mode::read ? immutable_uri(path)
-                                                : path.string();
+  const bool reads = mode == Mode::read || mode == Mode::read_full;
+  const std::string name = mode == Mode::memory ? ":memory:" : reads ? immutable_uri(path) : path.string();
   if (sqlite3_open_v2(name.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
     const int code = handle_ == nullptr ? SQLITE_NOMEM : sqlite3_extended_errcode(handle_);
+    const int system = handle_ == nullptr ? 0 : sqlite3_system_errno(handle_);
     sqlite3_close_v2(handle_);
-    throw FileError(path_, advice(code).empty() ? sqlite3_errstr(code) : advice(code));
+    const std::string known = advice(code, system, path_);
+    throw FileError(path_, known.empty() ? sqlite3_errstr(code) : known);
   }
   sqlite3_busy_timeout(handle_, wait_for_lock);
   sqlite3_limit(handle_, SQLITE_LIMIT_LENGTH, longest_value);
@@ -105,7 +118,9 @@ bool Database::in_transaction() const {
 }
 
 void Database::fail(const std::string& doing) const {
-  const std::string known = advice(sqlite3_extended_errcode(handle_));
+  const int code = sqlite3_extended_errcode(handle_);
+  if (disk_full_ && (code & 0xff) == SQLITE_READONLY) throw DiskFull(path_);
+  const std::string known = advice(code, sqlite3_system_errno(handle_), path_);
   const std::string what = known.empty() ? "is no usable project (" + std::string(sqlite3_errmsg(handle_)) +
                                                "); restore it from a copy"
                                          : known;

@@ -10,17 +10,25 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/error.h"
+
 struct sqlite3;
 struct sqlite3_stmt;
 
 namespace archetype {
+
+class DiskFull : public FileError {
+ public:
+  explicit DiskFull(const std::filesystem::path& file);
+};
 
 // One connection, set up for files that may come from a stranger: no triggers, no views, bounded values.
 // Every failure is a FileError that says what to do.
 class Database {
  public:
   // read: nothing is written, not even beside the file; for a place where that is not allowed.
-  enum class Mode { open, create, memory, read };
+  // read_full: the same where the reason is a full disk.
+  enum class Mode { open, create, memory, read, read_full };
   Database(const std::filesystem::path& path, Mode mode);
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
@@ -41,6 +49,7 @@ class Database {
  private:
   friend class Statement;
   std::filesystem::path path_;
+  bool disk_full_ = false;
   sqlite3* handle_ = nullptr;
 };
 

@@ -107,7 +107,7 @@ class Export {
     if (options_.coaligned) {
       const std::vector<Vec3> canonical = coalign(part_template, work.samples, work.fit->fit);
       replace_file(folder_ / "coaligned" / (work.name + ".ply"),
-                   coaligned_ply(work.samples, canonical, work.fit->fit));
+                   coaligned_ply(part_template, work.samples, canonical, work.fit->fit));
     }
   }
 

@@ -78,6 +78,7 @@ bool History::commit(Document document, std::string message) {
   entries_.push_back({std::move(document), std::move(message)});
   ++position_;
   ++revision_;
+  ++committed_revision_;
   forget_oldest();
   return true;
 }
@@ -103,6 +104,7 @@ void History::jump(std::size_t entry) {
   preview_.reset();
   position_ = entry;
   ++revision_;
+  ++committed_revision_;
 }
 
 void History::forget_oldest() {

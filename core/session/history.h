@@ -31,6 +31,8 @@ class History {
   bool has_preview() const { return preview_.has_value(); }
   // Counts every change of current(); never the same for two different states.
   std::uint64_t revision() const { return revision_; }
+  // The same of committed(): a preview does not change it.
+  std::uint64_t committed_revision() const { return committed_revision_; }
 
   void preview(Document document);
   void cancel_preview();
@@ -55,6 +57,7 @@ class History {
   std::optional<Document> preview_;
   HistoryLimits limits_;
   std::uint64_t revision_ = 0;
+  std::uint64_t committed_revision_ = 0;
 };
 
 }  // namespace archetype

@@ -1,38 +1,16 @@
 // Files are replaced as a whole or not at all.
 #include <doctest/doctest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
-
-#include <csignal>
 
 #include "core/base/error.h"
 #include "core/io/file.h"
+#include "tests/support/disk_limit.h"
 #include "tests/support/scratch_folder.h"
 
 using namespace archetype;
 using namespace archetype::test;
 
 namespace {
-
-// Within its life no file may grow beyond `bytes`: what a full disk does.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) : signal_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-  ~FileSizeLimit() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, signal_);
-  }
-
- private:
-  void (*signal_)(int);
-  rlimit before_{};
-};
 
 std::size_t files_in(const ScratchFolder& folder) {
   return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder.path()), {}));
@@ -61,7 +39,7 @@ TEST_CASE("a file that cannot be written to its end stays as it was") {
   const ScratchFolder folder;
   const auto path = folder.write("a.txt", "the old content");
   {
-    const FileSizeLimit limit(1000);
+    const DiskLimit limit(1000);
     CHECK_THROWS_WITH_AS(replace_file(path, std::string(5000, 'x')),
                          doctest::Contains("cannot be written (write: "), FileError);
   }

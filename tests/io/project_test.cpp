@@ -2,15 +2,14 @@
 #include "core/io/project.h"
 
 #include <doctest/doctest.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <ctime>
 
 #include "core/base/error.h"
 #include "core/io/project_database.h"
 #include "tests/io/sample_project.h"
+#include "tests/support/disk_limit.h"
 #include "tests/support/scratch_folder.h"
 
 using namespace archetype;
@@ -53,29 +52,6 @@ std::vector<std::string> names(const std::vector<ShapeRecord>& shapes) {
   for (const ShapeRecord& shape : shapes) result.push_back(shape.name);
   return result;
 }
-
-// No file of this process can grow beyond `bytes` while this lives: the nearest to a full disk that needs no
-// root.
-class DiskLimit {
- public:
-  explicit DiskLimit(rlim_t bytes) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    rlimit limit = before_;
-    limit.rlim_cur = bytes;
-    setrlimit(RLIMIT_FSIZE, &limit);
-    handler_ = std::signal(SIGXFSZ, SIG_IGN);
-  }
-  DiskLimit(const DiskLimit&) = delete;
-  DiskLimit& operator=(const DiskLimit&) = delete;
-  ~DiskLimit() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-
- private:
-  rlimit before_{};
-  void (*handler_)(int) = nullptr;
-};
 
 }  // namespace
 

@@ -1,11 +1,14 @@
 // A folder is opened, shown, fitted and saved elsewhere, by clicks where there are any.
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <fstream>
+#include <thread>
 
 #include "core/session/actions.h"
 #include "tests/ui/test_window.h"
 #include "ui/project_actions.h"
+#include "ui/thumbnail_worker.h"
 
 using namespace archetype;
 using archetype::test::TestWindow;
@@ -138,7 +141,7 @@ TEST_CASE("What was edited is there again when the folder is opened again") {
   const Document made = window.studio().history.current();
   // Saved a second after the last edit.
   const auto start = std::chrono::steady_clock::now();
-  while (window.studio().autosave.saved_revision != window.studio().history.revision()) {
+  while (window.studio().autosave.saved_revision != window.studio().history.committed_revision()) {
     REQUIRE(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
     window.frames();
   }
@@ -225,4 +228,41 @@ TEST_CASE("A broken shape is listed and the others come in") {
   for (const Message& message : window.studio().messages.list())
     told |= message.text.find("bad.off") != std::string::npos;
   CHECK(told);
+}
+
+TEST_CASE("A colour that a part is given by hand is seen in the pictures of the grid") {
+  TestWindow window;
+  window.open_chairs(1);
+  window.make_template();
+  Studio& studio = window.studio();
+  REQUIRE(run_command(studio, "fit-all"));
+  window.settle();
+  const ShapeId shape = studio.collection.rows()[0].id;
+  const WantedThumbnail wanted = wanted_thumbnail(studio.collection.rows()[0]);
+  REQUIRE(wanted.fitted);
+  const Picture kept = Project::open(studio.collection.path).thumbnail(shape, "parts").value();
+  ThumbnailWorker worker(studio.options.shaders, {});
+  const auto made = [&](const WantedThumbnail& one) {
+    worker.want(studio.collection.path, {one});
+    while (!worker.idle() && worker.problem().empty()) {
+      for (const MadeThumbnail& thumbnail : worker.take()) return thumbnail.picture;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return Picture{};
+  };
+  CHECK(made(wanted) == kept);
+  WantedThumbnail coloured = wanted;
+  coloured.colours = std::make_shared<const HandColours>(HandColours{{"chair", {6, -1, -1}}});
+  const Picture picture = made(coloured);
+  CHECK(picture.width == kept.width);
+  CHECK(picture != kept);
+  // It is not kept in the place of the other one; and colours of other templates are none of this one.
+  CHECK(Project::open(studio.collection.path).thumbnail(shape, "parts").value() == kept);
+  coloured.colours = std::make_shared<const HandColours>(HandColours{{"table", {6, -1, -1}}});
+  CHECK(made(coloured) == kept);
+  const std::uint32_t before = studio.thumbnails.use(wanted);
+  set_part_colour(studio.history, {0}, 6);
+  window.settle();
+  CHECK(studio.thumbnails.use(wanted) != 0);
+  CHECK(studio.thumbnails.use(wanted) != before);
 }

@@ -151,3 +151,63 @@ TEST_CASE("A script drags a part and prints how fast the fit followed") {
         doctest::Approx(0.2));
   CHECK(window.studio().history.entries().back().message == "Move seat");
 }
+
+TEST_CASE("A key is changed in the list of keys, given back, and taken from another command") {
+  TestWindow window(1280, 1400);
+  Studio& studio = window.studio();
+  const auto key = [&](const char* name) { return key_of(studio, *find_command(studio, name)); };
+  window.key("F1");
+  window.click("key:add-shapes");
+  window.key("Ctrl+Alt+L");
+  CHECK(key("add-shapes") == "Ctrl+Alt+L");
+  CHECK(studio.ui.status.find("key is Ctrl+Alt+L") != std::string::npos);  // it was not run
+  window.key("Ctrl+Alt+L");
+  CHECK(studio.ui.status.find("open a folder") != std::string::npos);
+  window.click("key:Reset:add-shapes");
+  CHECK(key("add-shapes").empty());
+  CHECK(studio.settings.keys.empty());
+
+  // Another command's: nothing changes before it is taken.
+  window.click("key:add-shapes");
+  window.key("Ctrl+Shift+S");
+  CHECK(studio.ui.key_change.taken_by == "save-as");
+  CHECK(key("save-as") == "Ctrl+Shift+S");
+  window.click("key:Cancel:add-shapes");
+  CHECK(key("add-shapes").empty());
+  window.click("key:add-shapes");
+  window.key("Ctrl+Shift+S");
+  window.click("key:Take it:add-shapes");
+  CHECK(key("add-shapes") == "Ctrl+Shift+S");
+  CHECK(key("save-as").empty());
+  window.click("key:Reset:save-as");
+  CHECK(key("save-as") == "Ctrl+Shift+S");
+  CHECK(key("add-shapes").empty());
+
+  window.click("key:undo");
+  window.key("Escape");
+  CHECK(studio.ui.key_change.command.empty());
+  CHECK(studio.ui.help);
+  window.click("key:undo");
+  window.click("key:No key:undo");
+  CHECK(key("undo").empty());
+  window.key("Escape");
+  CHECK_FALSE(studio.ui.help);
+  CHECK(run_command(studio, "reset-keys"));
+  CHECK(key("undo") == "Ctrl+Z");
+}
+
+TEST_CASE("A script sets keys, and is told what is wrong with one") {
+  TestWindow window;
+  Studio& studio = window.studio();
+  const auto set = [&](const char* command, const char* key) {
+    const std::string arguments[] = {command, key};
+    return run_command(studio, "set-key", arguments);
+  };
+  CHECK(set("undo", "ctrl+u"));
+  CHECK(studio.settings.keys.at("undo") == "Ctrl+U");
+  CHECK_FALSE(set("redo", "Ctrl+U"));
+  CHECK_FALSE(set("redo", "Hyper+X"));
+  CHECK_FALSE(set("none", "Ctrl+U"));
+  CHECK(set("undo", "Ctrl+Z"));
+  CHECK(studio.settings.keys.empty());
+}

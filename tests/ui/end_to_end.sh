@@ -24,6 +24,8 @@ for keys in ctrl+n shift+a shift+a ctrl+z; do
 done
 sleep 0.3  # what was edited a moment ago is saved all the same
 xdotool key ctrl+q
+sleep 1
+xdotool key Return  # an untitled project with edits: keep and close
 wait "$program"
 DRIVE
 timeout 120 xvfb-run -a -s "-screen 0 1280x720x24 -noreset" bash "$folder/drive.sh" "$studio" "$folder/chairs/shapes"

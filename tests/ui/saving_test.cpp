@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "core/session/actions.h"
+#include "tests/support/disk_limit.h"
 #include "tests/ui/test_window.h"
 #include "ui/project_actions.h"
 
@@ -42,8 +43,7 @@ TEST_CASE("What was edited a moment before the end is saved") {
   TestWindow window;
   window.open_chairs(1);
   window.make_template();
-  window.click("part:seat");
-  window.key("Ctrl+D");
+  add_part(window.studio().history, {});
   CHECK(unsaved(window.studio()));
   save_now(window.studio());
   CHECK_FALSE(unsaved(window.studio()));
@@ -101,6 +101,48 @@ TEST_CASE("A save that fails says so once, and is tried again") {
   fs::rename(away, project);
   tried_once();
   CHECK(stored(project) == studio.history.current());
+  CHECK_FALSE(wants_frames(studio));
+}
+
+TEST_CASE("What was edited is in the file before a drag that comes after it has ended") {
+  TestWindow window;
+  window.open_chairs(1);
+  window.make_template();
+  Studio& studio = window.studio();
+  const Document made = studio.history.committed();
+  Document dragged = made;
+  PartTemplate moved = *made.templates[0];
+  moved.parts[0].position.mean.x() += 1;
+  dragged.templates[0] = std::make_shared<const PartTemplate>(moved);
+  studio.history.preview(dragged);
+  window.settle();
+  CHECK(stored(studio.collection.path) == made);
+}
+
+TEST_CASE("A full disk loses nothing that was saved, says so for as long as it lasts, and is tried again") {
+  TestWindow window;
+  window.open_chairs(1);
+  window.make_template();
+  Studio& studio = window.studio();
+  const Document made = studio.history.committed();
+  {
+    const test::DiskLimit full(1000);
+    add_part(studio.history, {});
+    window.settle();
+    CHECK(studio.messages.list().back().severity == Severity::error);
+    CHECK(studio.messages.list().back().text.find("disk is full") != std::string::npos);
+    CHECK(studio.autosave.problem.find("disk is full") != std::string::npos);
+    CHECK(wants_frames(studio));
+    add_part(studio.history, {});  // work goes on
+    window.settle();
+  }
+  CHECK(stored(studio.collection.path) == made);
+  CHECK(wants_frames(studio));  // tried again without anybody doing anything
+  studio.autosave.not_before = {};
+  window.frames();
+  window.settle();
+  CHECK(studio.autosave.problem.empty());
+  CHECK(stored(studio.collection.path) == studio.history.committed());
   CHECK_FALSE(wants_frames(studio));
 }
 

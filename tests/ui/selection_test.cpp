@@ -170,3 +170,52 @@ TEST_CASE("Templates are renamed, duplicated, reordered and compared from their 
   CHECK(shown(window).name == "stool");
   CHECK_FALSE(window.has("field:Template name"));
 }
+
+TEST_CASE("F2 leads to the field of the part's name, and what is typed is its name") {
+  TestWindow window;
+  window.open_chairs(1);
+  window.make_template();
+  window.click("part:back");
+  window.key("F2");
+  window.frames();
+  window.type("backrest");
+  window.field_key(ImGuiKey_Enter);
+  const PartTemplate& chair = *window.studio().history.committed().active_template();
+  CHECK(chair.parts[1].name == "backrest");
+  CHECK(chair.parts[0].name == "seat");
+}
+
+TEST_CASE("A name that was typed is kept by whatever leaves its field, and dropped by Escape") {
+  TestWindow window;
+  window.open_chairs(1);
+  window.make_template();
+  History& history = window.studio().history;
+  const Document before = history.committed();
+  window.click("part:back");
+  const auto type_name = [&](const char* name) {
+    window.key("F2");
+    window.frames();
+    window.type(name);
+  };
+  type_name("rest");
+  SUBCASE("Tab leads to the label") {
+    window.field_key(ImGuiKey_Tab);
+    window.type("7");
+    window.field_key(ImGuiKey_Enter);
+    CHECK(history.committed().active_template()->parts[1].name == "rest");
+    CHECK(history.committed().active_template()->parts[1].label == 7);
+    CHECK(history.undo());
+    CHECK(history.undo());
+    CHECK(history.committed() == before);
+  }
+  SUBCASE("a click on another part") {
+    window.click("part:seat");
+    CHECK(history.committed().active_template()->parts[1].name == "rest");
+    CHECK(history.committed().active_template()->parts[0].name == "seat");
+  }
+  SUBCASE("Escape") {
+    window.field_key(ImGuiKey_Escape);
+    CHECK(history.committed() == before);
+    CHECK_FALSE(history.has_preview());
+  }
+}

@@ -8,6 +8,7 @@
 #include "core/fitting/fit_template.h"
 #include "core/session/actions.h"
 #include "tests/ui/test_window.h"
+#include "ui/project_actions.h"
 
 using namespace archetype;
 using test::TestWindow;
@@ -131,4 +132,28 @@ TEST_CASE("Of a collection that is closed no tile stays") {
   window.frames(3);
   CHECK(members(window).empty());
   CHECK(window.studio().strip.tiles.empty());
+}
+
+TEST_CASE("A project that is opened again has its shapes in the strip") {
+  TestWindow window;
+  window.open_chairs(4);
+  window.make_template();
+  Studio& studio = window.studio();
+  const std::filesystem::path path = studio.collection.path;
+  const std::vector<ShapeId> chosen{studio.collection.rows()[3].id, studio.collection.rows()[1].id};
+  for (const ShapeId id : chosen) add_to_strip(studio, id);
+  window.settle();
+  CHECK(read_strip(Project::open(path)) == chosen);
+  const std::filesystem::path copy = window.scratch().path() / "copy.archetype";
+  save_project_as(studio, copy);
+  window.settle();
+  CHECK(studio.ui.strip.shapes == chosen);
+  clear_strip(studio);
+  save_now(studio);
+  CHECK(read_strip(Project::open(copy)).empty());
+  open_project(studio, path);
+  window.settle();
+  CHECK(studio.ui.strip.shapes == chosen);
+  Project::open(path).set_setting("studio.strip", "999 x 1 1");
+  CHECK(read_strip(Project::open(path)).empty());
 }

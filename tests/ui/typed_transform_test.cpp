@@ -178,6 +178,25 @@ TEST_CASE("a face that is resized snaps, and the other side stays") {
   check(result.box.to_world({1, 0, 0}), {1, 0, 0});
 }
 
+TEST_CASE("a corner snaps with the face that is nearest to a plane, in proportion") {
+  const std::vector<SnapPlane> planes{{0, 1, "a", false}, {1, 0.62, "b", false}};
+  const Box start{{0.3, 0, 0}, {0.5, 0.5, 0.25}};
+  Box box{{0.38, 0.08, 0.04}, {0.58, 0.58, 0.29}};  // dragged out to 0.96, 0.66, 0.33
+  const BoxDrag drag{{HandleKind::resize, 0, {1, 1, 1}}, start, {}};
+  Snapped result = snapped(box, drag, {}, planes, 0.05);
+  REQUIRE(result.planes.size() == 1);
+  CHECK(result.planes[0].name == "a");
+  check(result.box.to_world({-1, -1, -1}), start.to_world({-1, -1, -1}));
+  CHECK(result.box.to_world({1, 1, 1}).x() == doctest::Approx(1));
+  check(result.box.half_extent / result.box.half_extent.x(), start.half_extent / start.half_extent.x());
+  box.centre = start.centre;
+  box.half_extent = 1.38 * start.half_extent;
+  result = snapped(box, drag, {.about_centre = true}, planes, 0.05);
+  check(result.box.centre, start.centre);
+  CHECK(result.box.to_world({1, 1, 1}).x() == doctest::Approx(1));
+  CHECK(snapped(box, drag, {}, planes, 0.005).planes.empty());
+}
+
 TEST_CASE("a box that is turned snaps to steps of 15 degrees, and to stand straight") {
   const double degree = std::numbers::pi / 180;
   const auto turned = [&](double degrees) {

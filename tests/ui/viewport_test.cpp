@@ -2,11 +2,13 @@
 // compared.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 
 #include "tests/ui/viewport_window.h"
 #include "ui/command.h"
+#include "ui/headless_window.h"
 #include "ui/selection.h"
 
 using namespace archetype;
@@ -250,6 +252,38 @@ TEST_CASE("Ctrl and click selects several boxes, whose handles move them togethe
   w.click(w.pixel_of(w.box(1).centre + Vec3(0.25, 0, 0)));
   w.io.KeyCtrl = false;
   CHECK(selected_parts(w.studio.ui) == PartList{0});
+}
+
+TEST_CASE("the edges around several selected boxes are drawn, and gone with all but one of them") {
+  Window w;
+  const auto light_at = [&](const Vec3& place) {
+    const Target area = w.area();
+    const glm::dvec2 pixel = w.pixel_of(place);
+    const Picture picture = picture_of_frame();
+    int brightest = 0;
+    for (int dy = -1; dy <= 1; ++dy) {
+      const auto x = static_cast<std::size_t>(area.low_x + pixel.x);
+      const auto y = static_cast<std::size_t>(area.low_y + pixel.y + dy);
+      const std::size_t at = 4 * (y * static_cast<std::size_t>(picture.width) + x);
+      brightest = std::max(
+          brightest, std::min({picture.pixels[at], picture.pixels[at + 1], picture.pixels[at + 2]}) + 0);
+    }
+    return brightest;
+  };
+  // Between the boxes there is nothing else.
+  const std::array<Vec3, 2> places{Vec3(-0.15, 0.5, 0.3), Vec3(-0.15, -0.5, 0.3)};
+  w.studio.ui.part = 0;
+  w.frames(2);
+  std::array<int, 2> before{light_at(places[0]), light_at(places[1])};
+  w.studio.ui.also_selected = {1};
+  w.frames(2);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    CHECK(before[i] < 120);
+    CHECK(light_at(places[i]) > 180);
+  }
+  w.studio.ui.also_selected = {};
+  w.frames(2);
+  for (std::size_t i = 0; i < places.size(); ++i) CHECK(light_at(places[i]) == before[i]);
 }
 
 TEST_CASE("Ctrl held while dragging snaps to the other box, and what it snaps to is shown") {
