@@ -2,7 +2,7 @@
 #include "core/evaluation/coalign.h"
 
 #include "core/base/error.h"
-#include "core/fitting/deformation.h"
+#include "core/fitting/settle_boxes.h"
 
 namespace archetype {
 
@@ -29,24 +29,9 @@ std::vector<Box> free_boxes(const PartTemplate& given, const ShapeSamples& sampl
   PartTemplate part_template = given;
   for (TemplatePart& part : part_template.parts)
     part.position.stddev = part.scale.stddev = Vec3::Constant(free_stddev);
-  std::vector<Box> boxes;
-  for (const FittedPart& part : fit.parts) boxes.push_back(part.box);
-  if (boxes.empty() || samples.size() == 0) return boxes;
   FitOptions options;
   options.alpha = free_alpha;
-  std::vector<Vec3> points;
-  points.reserve(samples.size());
-  for (const Vec3& p : samples.points) points.push_back(fit.to_template(p));
-  const KdTree tree(samples.points);
-  const TemplateSurface surface = sample_template(part_template, options.template_points);
-  const PlacedSamples placed{&tree, points, fit.yaw_quarters, fit.translation};
-  Correspondences matches;
-  const MatchedShape shape{points, fit.labels, &surface, &matches, options.distance_unit * samples.radius};
-  for (int step = 0; step < free_steps; ++step) {
-    match(placed, fit.labels, boxes, surface, matches);
-    deformation_step(shape, part_template, options, boxes);
-  }
-  return boxes;
+  return settle_boxes(part_template, samples, fit, options, free_steps);
 }
 
 Sharpness& Sharpness::operator+=(const Sharpness& other) {

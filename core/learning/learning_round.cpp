@@ -2,6 +2,7 @@
 #include "core/learning/learning_round.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <set>
 
@@ -17,6 +18,8 @@ namespace {
 
 // A round that gains less than this is none.
 constexpr double smallest_gain = 1e-3;
+// That a division costs for each member, about: for the progress.
+constexpr std::size_t fits_of_division = 25;
 
 // What a shape says of the template that it takes.
 struct Taken {
@@ -41,19 +44,27 @@ class Round {
       shapes_[i].correction = corrections[i];
       heed_yaw(shapes_[i]);
     }
+    counted_.stop = control.stop;
+    counted_.report = [this](std::size_t, std::size_t, std::string_view) {
+      const std::size_t fitted = ++fitted_;
+      control_.progress(fitted, std::max(fitted, planned_.load()), "");
+    };
     result_.templates.assign(templates.begin(), templates.end());
     for (std::size_t t = 0; t < templates.size(); ++t) result_.origins.push_back({t, false});
   }
 
   std::optional<LearningRound> run() {
+    planned_ = result_.templates.size() * (2 * judging_ + shapes_.size()) + fits_of_division * shapes_.size();
     if (!fit_all()) return std::nullopt;
     result_.energy_before = mean_energy();
     const std::size_t count = result_.templates.size();
     for (std::size_t t = 0; t < count; ++t) {
+      plan((count - t) * judging_, 0);
       if (!try_update(t)) return std::nullopt;
     }
     // A template that still moves would only spawn what it is about to become.
     for (std::size_t t = 0; t < count; ++t) {
+      plan(0, t);
       if (!result_.origins[t].changed && !try_split(t)) return std::nullopt;
     }
     drop_unused();
@@ -87,6 +98,18 @@ class Round {
     return shapes_[shape].correction && shapes_[shape].correction->mark == ShapeMark::learn;
   }
 
+  // How many fits are ahead: so many, and those of the divisions that will be tried from template `first` on,
+  // as far as it can be told.
+  void plan(std::size_t fits, std::size_t first) {
+    std::vector<std::size_t> members(result_.templates.size(), 0);
+    for (const Taken& each : taken_) ++members[each.part_template];
+    for (std::size_t t = first; t < members.size(); ++t) {
+      if (!result_.origins[t].changed && members[t] >= 2 * options_.smallest_cluster)
+        fits += fits_of_division * members[t];
+    }
+    planned_ = fitted_ + fits;
+  }
+
   // Once to agree on the yaws, and once with what they cost then. False if cancelled.
   bool fit_all() {
     if (!take_best(judging_)) return false;
@@ -106,7 +129,7 @@ class Round {
     taken_.assign(count, {});
     const auto shapes = std::span(shapes_).first(count);
     for (std::size_t t = 0; t < result_.templates.size(); ++t) {
-      auto seen = sightings(result_.templates[t].part_template, shapes, fit_options_, threads_, control_);
+      auto seen = sightings(result_.templates[t].part_template, shapes, fit_options_, threads_, counted_);
       if (!seen) return false;
       for (std::size_t i = 0; i < count; ++i) {
         if ((*seen)[i].choice < taken_[i].seen.choice && may_take(i, t))
@@ -168,7 +191,7 @@ class Round {
     if (observed.size() < options_.smallest_learning_set) return true;
     LearnedTemplate& learned = result_.templates[t];
     const PartTemplate proposal = reestimate(learned.initial, observed, options_);
-    auto seen = sightings(proposal, std::span(shapes_).first(judging_), fit_options_, threads_, control_);
+    auto seen = sightings(proposal, std::span(shapes_).first(judging_), fit_options_, threads_, counted_);
     if (!seen) return false;
     double members = 0;
     double agreeing = 0;
@@ -182,6 +205,7 @@ class Round {
     if (members == 0 || agreeing < options_.agreeing_share * members || gain < smallest_gain * members)
       return true;
     learned.part_template = proposal;
+    learned.undivided.clear();
     result_.origins[t].changed = true;
     for (std::size_t i = 0; i < judging_; ++i) {
       if (taken_[i].part_template == t || ((*seen)[i].choice < taken_[i].seen.choice && may_take(i, t)))
@@ -203,8 +227,11 @@ class Round {
       members.judging += i < judging_ ? 1 : 0;
     }
     if (indices.size() < 2 * options_.smallest_cluster) return true;
+    const auto judges = std::span(indices).first(members.judging);
+    if (about_undivided(result_.templates[t].undivided, judges)) return true;
+    result_.templates[t].undivided.assign(judges.begin(), judges.end());
     std::optional<TemplateSplit> split;
-    if (!split_template(result_.templates[t], members, fit_options_, options_, threads_, control_, split))
+    if (!split_template(result_.templates[t], members, fit_options_, options_, threads_, counted_, split))
       return false;
     if (!split) return true;
     const double costs = cost(split->child.part_template, split->judging_to_child) +
@@ -214,6 +241,8 @@ class Round {
     if (split->gain <= costs || static_cast<double>(split->agreeing) < needed) return true;
     split->child.part_template.name = split->child.initial.name =
         free_name(result_.templates[t].part_template.name);
+    split->parent.undivided.clear();
+    split->child.undivided.clear();
     result_.templates[t] = std::move(split->parent);
     result_.origins[t].changed = true;
     for (std::size_t m = 0; m < indices.size(); ++m)
@@ -233,10 +262,20 @@ class Round {
       shapes.push_back(shapes_[i]);
     }
     if (indices.empty()) return true;
-    auto seen = sightings(result_.templates[t].part_template, shapes, fit_options_, threads_, control_);
+    auto seen = sightings(result_.templates[t].part_template, shapes, fit_options_, threads_, counted_);
     if (!seen) return false;
     for (std::size_t k = 0; k < indices.size(); ++k) taken_[indices[k]].seen = std::move((*seen)[k]);
     return true;
+  }
+
+  // As many others as make no other cluster make no other division: it would be most of a round's work to
+  // find that again.
+  bool about_undivided(std::span<const std::size_t> undivided, std::span<const std::size_t> judges) const {
+    if (undivided.empty()) return false;
+    std::vector<std::size_t> changed;
+    std::ranges::set_symmetric_difference(undivided, judges, std::back_inserter(changed));
+    return static_cast<double>(changed.size()) <=
+           options_.cluster_share * static_cast<double>(undivided.size());
   }
 
   // Others may have taken all shapes of a template.
@@ -276,7 +315,10 @@ class Round {
   const LearnOptions& options_;
   unsigned threads_;
   const JobControl& control_;
-  std::vector<Taken> taken_;  // by shape: the best so far
+  JobControl counted_;  // counts what is fitted in the whole round
+  std::atomic<std::size_t> fitted_ = 0;
+  std::atomic<std::size_t> planned_ = 0;  // with those that are still ahead
+  std::vector<Taken> taken_;              // by shape: the best so far
   LearningRound result_;
 };
 

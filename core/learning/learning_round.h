@@ -38,9 +38,10 @@ struct LearningRound {
 // the share options.agreeing_share of the shapes that take it fit better, a division if as many do and if it
 // lowers the energy by more than its parameters cost. `others` are only learned from. The yaws of the judging
 // shapes are decided together (agreed_yaws.h). Templates that no judging shape takes are dropped. Nothing if
-// cancelled. Deterministic whatever the number of threads; about 3 fits per template and judging shape and
-// one per other shape, and those of the divisions, some 30 per shape. Differs from the paper, which keeps
-// every round's templates: so learning can leave a collection worse.
+// cancelled. Progress counts the fits of the round, with those ahead as far as it can be told. Deterministic
+// whatever the number of threads; about 3 fits per template and judging shape and one per other shape, and
+// those of the divisions, some 30 per shape. Differs from the paper, which keeps every round's templates: so
+// learning can leave a collection worse.
 // corrections: what was corrected by hand, one per shape with the judging ones first, null where nothing was;
 // or none at all. Pinned yaws, templates and labels hold in all fits, and pinned yaws count when yaws are
 // decided; shapes pinned to a template stay with it when it is divided. Shapes marked to be learned from are

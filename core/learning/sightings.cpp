@@ -2,11 +2,9 @@
 #include "core/learning/sightings.h"
 
 #include "core/base/parallel.h"
-#include "core/fitting/deformation.h"
 #include "core/fitting/fit_template.h"
+#include "core/fitting/settle_boxes.h"
 #include "core/fitting/template_choice.h"
-#include "core/fitting/template_surface.h"
-#include "core/geometry/kd_tree.h"
 
 namespace archetype {
 
@@ -29,19 +27,7 @@ std::vector<Box> free_boxes(const PartTemplate& part_template, const ShapeSample
   }
   FitOptions loosened = options;
   loosened.alpha *= kept_prior;
-  std::vector<Vec3> points;
-  for (const Vec3& p : samples.points) points.push_back(fit.to_template(p));
-  std::vector<Box> boxes;
-  for (const FittedPart& part : fit.parts) boxes.push_back(part.box);
-  const KdTree tree(samples.points);
-  const TemplateSurface surface = sample_template(part_template, options.template_points);
-  Correspondences matches;
-  const MatchedShape shape{points, fit.labels, &surface, &matches, options.distance_unit * samples.radius};
-  for (int step = 0; step < steps; ++step) {
-    match({&tree, points, fit.yaw_quarters, fit.translation}, fit.labels, boxes, surface, matches);
-    deformation_step(shape, loose, loosened, boxes);
-  }
-  return boxes;
+  return settle_boxes(loose, samples, fit, loosened, steps);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include "core/session/learn_templates.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <map>
@@ -79,6 +78,8 @@ void store_state(Project& project, const State& state) {
   json["initial"] = Json::array();
   for (const LearnedTemplate& each : state.templates)
     json["initial"].push_back(format_template(each.initial));
+  json["undivided"] = Json::array();
+  for (const LearnedTemplate& each : state.templates) json["undivided"].push_back(each.undivided);
   json["judging"] = state.judging;
   json["lines"] = Json::array();
   for (const LearningLine& line : state.lines) {
@@ -116,6 +117,10 @@ bool is_sound(const State& state) {
     if (state.lines[i].parent.has_value() != (i >= state.start.size())) return false;
     if (state.lines[i].parent && *state.lines[i].parent >= i) return false;
   }
+  if (!std::ranges::all_of(state.templates, [](const LearnedTemplate& each) {
+        return std::ranges::is_sorted(each.undivided);
+      }))
+    return false;
   for (const LearningStep& step : state.steps) {
     const auto less_than = [](std::size_t count) { return [count](std::size_t i) { return i < count; }; };
     if (step.templates.empty() || step.lines.size() != step.templates.size()) return false;
@@ -144,7 +149,9 @@ std::optional<State> stored_state(const Project& project) {
       if (!record) return std::nullopt;
       PartTemplate initial = parse_template(json.at("initial").at(t).get<std::string>(), "learn.state");
       if (initial.parts.size() != record->part_template.parts.size()) return std::nullopt;
-      state.templates.push_back({std::move(record->part_template), std::move(initial)});
+      std::vector<std::size_t> undivided;
+      if (json.contains("undivided")) undivided = read_indices(json.at("undivided").at(t));
+      state.templates.push_back({std::move(record->part_template), std::move(initial), std::move(undivided)});
     }
     state.judging = json.at("judging").get<std::vector<ShapeId>>();
     for (const Json& line : json.at("lines")) {
@@ -272,18 +279,16 @@ class LearnRun {
       if (!load(project_, other_ids, control_, others)) return false;
       std::vector<ShapeId> ids = state_.judging;
       ids.insert(ids.end(), other_ids.begin(), other_ids.end());
-      const auto round =
-          learning_round(state_.templates, judging, others, fit_options_, options_, threads_,
-                         round_control(iteration, ids.size(), judging.size()), corrections_.of(ids));
+      const auto round = learning_round(state_.templates, judging, others, fit_options_, options_, threads_,
+                                        round_control(iteration), corrections_.of(ids));
       if (!round) return false;
       keep(*round, iteration);
     }
     return true;
   }
 
-  // Says which round it is and counts the shapes that are fitted in it, to each template and proposal. How
-  // many proposals there will be is not known before: the total grows with them.
-  JobControl round_control(int iteration, std::size_t shapes, std::size_t judges) {
+  // Says which round it is.
+  JobControl round_control(int iteration) {
     JobControl round;
     round.stop = control_.stop;
     std::string what = "learning, round " + std::to_string(iteration) + " of at most " +
@@ -292,11 +297,8 @@ class LearnRun {
     if (!state_.steps.empty())
       what += ", energy " + number_text(std::round(state_.steps.back().energy * 1e4) / 1e4);
     what += ", shapes fitted:";
-    const std::size_t sure = state_.templates.size() * (shapes + judges);  // as it is, and re-estimated
-    fitted_in_round_ = 0;
-    round.report = [this, what, sure](std::size_t done, std::size_t total, std::string_view) {
-      const std::size_t fitted = ++fitted_in_round_;
-      control_.progress(fitted, std::max(sure, fitted + total - std::min(done, total)), what);
+    round.report = [this, what](std::size_t done, std::size_t total, std::string_view) {
+      control_.progress(done, total, what);
     };
     return round;
   }
@@ -367,7 +369,6 @@ class LearnRun {
   const LearningCorrections corrections_;
   const std::vector<ShapeId> shapes_;  // that are learned from
   State state_;
-  std::atomic<std::size_t> fitted_in_round_ = 0;
   LearnReport report_;
 };
 
