@@ -44,6 +44,26 @@ float spacing_of(std::size_t points, std::size_t shapes, const glm::vec3& low, c
   return 0.55F * std::sqrt(area / std::max(each, 1.F)) / crowd;
 }
 
+// Of nearly all points: a few that lie far away shall not make the others small. Their order is random, so
+// the first ones stand for all.
+void set_bounds(PointGeometry& points) {
+  constexpr std::size_t most = 20'000;
+  const std::size_t count = std::min(most, points.positions.size());
+  if (count == 0) return;
+  std::vector<float> values;
+  for (int axis = 0; axis < 3; ++axis) {
+    values.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+      values.push_back(points.positions[i][axis]);
+      values.push_back(points.moved[i][axis]);
+    }
+    std::ranges::sort(values);
+    const std::size_t left_out = values.size() / 500;
+    points.low[axis] = values[left_out];
+    points.high[axis] = values[values.size() - 1 - left_out];
+  }
+}
+
 // Neighbours in the list differ much: the golden angle.
 Rgb colour_of_shape(std::size_t number) {
   const double hue = std::fmod(static_cast<double>(number) * 0.618033988749895, 1.0) * 6;
@@ -73,15 +93,10 @@ std::optional<std::shared_ptr<const CloudContent>> read_cloud(const CloudContent
   points->positions = to_glm(std::move(cloud->rigid));
   points->moved = to_glm(std::move(cloud->deformed));
   points->normals = to_glm(std::move(cloud->normals));
-  if (!points->positions.empty()) points->low = points->high = points->positions.front();
   content->displacement.reserve(points->positions.size());
-  for (std::size_t i = 0; i < points->positions.size(); ++i) {
-    for (const glm::vec3& p : {points->positions[i], points->moved[i]}) {
-      points->low = glm::min(points->low, p);
-      points->high = glm::max(points->high, p);
-    }
+  for (std::size_t i = 0; i < points->positions.size(); ++i)
     content->displacement.push_back(glm::distance(points->positions[i], points->moved[i]));
-  }
+  set_bounds(*points);
   points->spacing = spacing_of(points->positions.size(), cloud->shapes.size(), points->low, points->high);
   content->largest_displacement = largest_of_most(content->displacement);
   content->points = std::move(points);

@@ -79,30 +79,21 @@ void draw_place(Studio& studio, const CloudPane& pane) {
   draw.AddCircle(middle, 9 * scale, ImGui::GetColorU32(colours(studio).accent), 24, 2 * scale);
 }
 
-void draw_caption(Studio& studio, const CloudPane& pane, const std::string& title, const std::string& text) {
+void draw_caption(Studio& studio, const CloudPane& pane, const std::string& title, const std::string& text,
+                  const std::string& more) {
   const float scale = studio.fonts.scale;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 low(pane.origin.x + 12 * scale, pane.origin.y + 10 * scale);
   ImGui::PushFont(studio.fonts.bold);
-  draw.AddText(low, ImGui::GetColorU32(colours(studio).text), title.c_str());
+  draw.AddText(low, ImGui::GetColorU32(colours(studio).text),
+               fitted(title, pane.size.x - 24 * scale).c_str());
   const float line = ImGui::GetTextLineHeight();
   ImGui::PopFont();
-  draw.AddText({low.x, low.y + line + 2 * scale}, ImGui::GetColorU32(colours(studio).muted),
-               fitted(text, pane.size.x - 24 * scale).c_str());
-}
-
-void draw_captions(Studio& studio, const CloudPane& pane) {
-  const Sharpness& sharpness = studio.cloud.content->sharpness;
-  const std::string rigid = "mean squared distance to the canonical place " + number(sharpness.mean_rigid());
-  std::string deformed = "mean squared distance to the canonical place " + number(sharpness.mean_deformed());
-  if (sharpness.deformed > 0) deformed += ", " + factor(sharpness.rigid / sharpness.deformed) + " times less";
-  if (!studio.ui.cloud.pair) {
-    const std::string title = pane.blend <= 0   ? "Rigid"
-                              : pane.blend >= 1 ? "Deformed"
-                                                : "Between rigid and deformed";
-    draw_caption(studio, pane, title, pane.blend <= 0 ? rigid : deformed);
-  } else {
-    draw_caption(studio, pane, pane.index == 0 ? "Rigid" : "Deformed", pane.index == 0 ? rigid : deformed);
+  const float room = pane.size.x - 24 * scale;
+  float y = low.y + line + 2 * scale;
+  for (const std::string* each : {&text, &more}) {
+    draw.AddText({low.x, y}, ImGui::GetColorU32(colours(studio).muted), fitted(*each, room).c_str());
+    y += line;
   }
 }
 
@@ -114,6 +105,24 @@ std::string counts(const Studio& studio) {
   if (studio.cloud.asked.outliers > 0)
     text += ", " + plural(studio.cloud.asked.outliers, "outlier") + " left out";
   return text;
+}
+
+void draw_captions(Studio& studio, const CloudPane& pane) {
+  const Sharpness& sharpness = studio.cloud.content->sharpness;
+  const bool pair = studio.ui.cloud.pair;
+  const bool rigid = pair ? pane.index == 0 : pane.blend <= 0;
+  std::string title = rigid ? "Rigid" : pair || pane.blend >= 1 ? "Deformed" : "Between rigid and deformed";
+  // Of the two ends; between them there is no such number.
+  if (rigid) title += "   " + number(sharpness.mean_rigid());
+  if (!rigid && (pair || pane.blend >= 1)) {
+    title += "   " + number(sharpness.mean_deformed());
+    if (sharpness.deformed > 0) title += ", " + factor(sharpness.rigid / sharpness.deformed) + " times less";
+  }
+  const std::string meaning = "mean squared distance to the canonical place";
+  if (pane.index == 0)
+    draw_caption(studio, pane, title, meaning, counts(studio));
+  else
+    draw_caption(studio, pane, title, meaning, "");
 }
 
 void draw_legend(Studio& studio, const CloudPane& pane) {
@@ -145,12 +154,6 @@ void draw_cloud_overlay(Studio& studio, const CloudPane& pane, bool last) {
   if (last) draw_legend(studio, pane);
   const GizmoView view{studio.cloud.camera, pane.viewport(), static_cast<double>(studio.fonts.scale)};
   if (pane.index == 0) draw_axes(draw, pane.origin, view, ImGui::GetColorU32(colours(studio).text));
-  if (pane.index == 0) {
-    const float scale = studio.fonts.scale;
-    draw.AddText({pane.origin.x + 76 * scale, pane.origin.y + pane.size.y - 28 * scale},
-                 ImGui::GetColorU32(colours(studio).muted),
-                 fitted(counts(studio), pane.size.x - 90 * scale).c_str());
-  }
   draw.PopClipRect();
 }
 

@@ -49,7 +49,7 @@ void follow_camera_wishes(Studio& studio, const CloudPane& pane) {
   CloudView& view = studio.cloud;
   const PointGeometry& points = *view.content->points;
   const auto framed = [&](Camera camera) {
-    frame(camera, pane.viewport(), points.low, points.high, 0.02);
+    frame(camera, pane.viewport(), points.low, points.high);
     return camera;
   };
   view.camera.orthographic = studio.ui.view.orthographic;
@@ -153,16 +153,39 @@ void draw_pictures(Studio& studio, const std::vector<CloudPane>& panes) {
   CloudView& view = studio.cloud;
   const bool moving = (view.mouse.action != MouseAction::none && view.mouse.action != MouseAction::click) ||
                       view.flight || view.turning > 0;
+  const auto& frames = studio.frames.milliseconds();
+  const bool changed = std::ranges::any_of(
+      panes, [&](const CloudPane& pane) { return view.pictures[pane.index].drawn != key_of(studio, pane); });
+  const std::size_t most =
+      points_for_frame(frames.empty() ? 30 : frames.back(), moving || changed) / panes.size();
   const Rgb mark = studio.theme == Theme::light ? Rgb{20, 22, 26} : Rgb{255, 255, 255};
   for (const CloudPane& pane : panes) {
     CloudPicture& picture = view.pictures[pane.index];
     const CloudPictureKey key = key_of(studio, pane);
-    draw_cloud_picture(studio.viewport.renderer, picture, key, moving, panes.size());
+    draw_cloud_picture(studio.viewport.renderer, picture, key, moving, most);
     draw_cloud_marks(studio.viewport.renderer, picture, key, {view.marked, mark});
     // What is not marked steps back.
     draw_texture(picture.visible(), pane, IM_COL32(255, 255, 255, view.marked ? 110 : 255));
     if (view.marked) draw_texture(picture.marks, pane, IM_COL32_WHITE);
   }
+}
+
+// At the upper edge of the one cloud.
+void draw_blend(Studio& studio, const CloudPane& pane) {
+  const float scale = studio.fonts.scale;
+  const float width = std::min(180 * scale, 0.3F * pane.size.x);
+  const float names = ImGui::CalcTextSize("Rigid").x + ImGui::CalcTextSize("Deformed").x + 14 * scale;
+  ImGui::SetCursorScreenPos(
+      {pane.origin.x + pane.size.x - width - names - 12 * scale, pane.origin.y + 8 * scale});
+  ImGui::AlignTextToFramePadding();
+  muted_text(studio, "Rigid");
+  ImGui::SameLine(0, 7 * scale);
+  ImGui::SetNextItemWidth(width);
+  ImGui::SliderFloat("##blend", &studio.ui.cloud.blend, 0, 1, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+  mark_target(studio, "cloud:blend");
+  tooltip("How much of the deformation of each part is taken out");
+  ImGui::SameLine(0, 7 * scale);
+  muted_text(studio, "Deformed");
 }
 
 // Over what is there already, or alone.
@@ -212,6 +235,7 @@ void draw_cloud(Studio& studio) {
     draw_pictures(studio, panes);
     view.shown = panes.size();
     for (const CloudPane& pane : panes) draw_cloud_overlay(studio, pane, &pane == &panes.back());
+    if (!studio.ui.cloud.pair) draw_blend(studio, panes.front());
   }
   if (!view.reader.idle() && view.progress && size.x > 40)
     draw_progress(studio, origin, size);

@@ -45,6 +45,14 @@ void draw_next(Renderer& renderer, CloudPicture& picture, const CloudPictureKey&
 
 }  // namespace
 
+// Frames take a + b N for N points. N = K / (time of the frame before) comes to rest where N (a + b N) = K,
+// without jumping to and fro, since each step is smaller than the one before.
+std::size_t points_for_frame(double milliseconds_before, bool moving) {
+  const double milliseconds = std::clamp(milliseconds_before, 2.0, 500.0);
+  const double points = (moving ? 3e6 : 16e6) / milliseconds;
+  return static_cast<std::size_t>(std::clamp(points, 20'000.0, moving ? 500'000.0 : 1'000'000.0));
+}
+
 Scene cloud_scene(const CloudPictureKey& key) {
   Scene scene;
   scene.backdrop = key.backdrop;
@@ -54,14 +62,13 @@ Scene cloud_scene(const CloudPictureKey& key) {
 }
 
 void draw_cloud_picture(Renderer& renderer, CloudPicture& picture, const CloudPictureKey& key, bool moving,
-                        std::size_t panes) {
-  const std::size_t most = std::max<std::size_t>(most_points_a_frame / std::max<std::size_t>(panes, 1), 1);
+                        std::size_t most_points) {
   const Clock::time_point now = Clock::now();
   if (picture.drawn != key) {
-    draw_first(renderer, picture, key, most);
+    draw_first(renderer, picture, key, most_points);
     picture.changed_at = now;
   } else if (!picture.whole && !moving && now - picture.changed_at > rest) {
-    draw_next(renderer, picture, key, most);
+    draw_next(renderer, picture, key, most_points);
   } else {
     return;
   }

@@ -12,8 +12,9 @@
 
 namespace archetype {
 
-// Drawn in one frame, over all panes: about 20 ms without a graphics card.
-inline constexpr std::size_t most_points_a_frame = 120'000;
+// How many points a frame can draw, over all panes, when the one before took so long: while the view moves so
+// that it stays fluid (about 35 ms without a graphics card), more while it rests.
+std::size_t points_for_frame(double milliseconds_before, bool moving);
 
 // All that the picture depends on.
 struct CloudPictureKey {
@@ -51,10 +52,10 @@ struct CloudPicture {
 // The scene of a cloud; `radius` from the spacing of its points.
 Scene cloud_scene(const CloudPictureKey& key);
 
-// Draws what has changed, or the next points of what rests; `moving`: the mouse holds the view. `panes`: so
-// many are drawn in this frame.
+// Draws what has changed, or the next points of what rests, at most so many; `moving`: the mouse holds the
+// view.
 void draw_cloud_picture(Renderer& renderer, CloudPicture& picture, const CloudPictureKey& key, bool moving,
-                        std::size_t panes);
+                        std::size_t most_points);
 void draw_cloud_marks(Renderer& renderer, CloudPicture& picture, const CloudPictureKey& key,
                       const MarkedPoints& marks);
 

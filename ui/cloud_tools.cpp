@@ -57,19 +57,6 @@ void draw_scope(Studio& studio) {
   ImGui::EndCombo();
 }
 
-void draw_blend(Studio& studio) {
-  separator_in_line(studio);
-  ImGui::AlignTextToFramePadding();
-  muted_text(studio, "Rigid");
-  ImGui::SameLine(0, 6 * studio.fonts.scale);
-  ImGui::SetNextItemWidth(150 * studio.fonts.scale);
-  ImGui::SliderFloat("##blend", &studio.ui.cloud.blend, 0, 1, "%.2f", ImGuiSliderFlags_AlwaysClamp);
-  mark_target(studio, "cloud:blend");
-  tooltip("How much of the deformation of each part is taken out");
-  ImGui::SameLine(0, 6 * studio.fonts.scale);
-  muted_text(studio, "Deformed");
-}
-
 }  // namespace
 
 void draw_cloud_tools(Studio& studio) {
@@ -86,7 +73,6 @@ void draw_cloud_tools(Studio& studio) {
   command_toggle(studio, "cloud-pair", "Side by side");
   ImGui::SameLine();
   command_toggle(studio, "cloud-boxes", "Boxes");
-  if (!studio.ui.cloud.pair) draw_blend(studio);
 }
 
 }  // namespace archetype

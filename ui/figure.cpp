@@ -70,12 +70,4 @@ void FigurePage::write(const std::string& text, double left, double top, double 
                  static_cast<float>(left * unit), static_cast<float>(top * unit), line, colour);
 }
 
-void FigurePage::fill(double left, double top, double width, double height, const Rgb& colour) {
-  const Viewport size = viewport(width, height);
-  Picture patch{size.width, size.height, {}};
-  for (int i = 0; i < size.width * size.height; ++i)
-    patch.pixels.insert(patch.pixels.end(), {colour[0], colour[1], colour[2], 255});
-  lay_over(picture_, patch, pixels(left), pixels(top));
-}
-
 }  // namespace archetype

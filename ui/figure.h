@@ -48,7 +48,6 @@ class FigurePage {
   enum class Style { plain, bold, muted };
   void write(const std::string& text, double left, double top, double size, Style style = Style::plain,
              double most_width = 1000);
-  void fill(double left, double top, double width, double height, const Rgb& colour);
   // Of a scene drawn into a rectangle, for the camera.
   Viewport viewport(double width, double height) const;
   const Picture& picture() const { return picture_; }

@@ -156,7 +156,7 @@ TEST_CASE("The slider blends from rigid to deformed; colours and scope are chose
   CHECK(studio.ui.cloud.blend > 0.3F);
   CHECK(studio.ui.cloud.blend < 0.7F);
   CHECK_FALSE(window.window().picture() == deformed);
-  window.drag("cloud:blend", -200, 0);
+  window.drag("cloud:blend", -150, 0);
   CHECK(studio.ui.cloud.blend == 0);
 
   const auto by_part = studio.cloud.colours;

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/base/error.h"
 #include "core/io/file.h"
 #include "core/session/fit_collection.h"
 #include "core/session/import_shapes.h"
