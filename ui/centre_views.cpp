@@ -5,6 +5,7 @@
 #include <array>
 
 #include "ui/clusters_view.h"
+#include "ui/inspect_panels.h"
 #include "ui/panels.h"
 #include "ui/shape_map_view.h"
 #include "ui/studio.h"
@@ -17,6 +18,8 @@ namespace {
 constexpr std::array views{
     CentreViewRow{CentreView::shape, "Shape", "show-shape", draw_tool_bar, draw_viewport},
     CentreViewRow{CentreView::clusters, "Clusters", "show-clusters", draw_clusters_tools, draw_clusters_view},
+    CentreViewRow{CentreView::inspect, "Inspect", "show-inspect", draw_inspect_tools, draw_inspect_view,
+                  draw_inspect_panel},
     CentreViewRow{CentreView::cloud, "Cloud", "show-cloud", draw_cloud_tools, draw_cloud},
     CentreViewRow{CentreView::map, "Map", "show-map", draw_map_tools, draw_map_view},
     CentreViewRow{CentreView::plots, "Plots", "show-plots", draw_plots_tools, draw_plots_view},

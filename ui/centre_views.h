@@ -8,7 +8,7 @@ namespace archetype {
 
 struct Studio;
 
-enum class CentreView { shape, clusters, cloud, map, plots };
+enum class CentreView { shape, clusters, inspect, cloud, map, plots };
 
 struct CentreViewRow {
   CentreView view;
@@ -16,6 +16,8 @@ struct CentreViewRow {
   const char* command;
   void (*tools)(Studio&);  // what stands above it, in a line
   void (*draw)(Studio&);   // fills the window it is drawn in
+  void (*side)(Studio&) =
+      nullptr;  // what stands at the right; null: the template, its parts and the live fit
 };
 
 std::span<const CentreViewRow> centre_views();

@@ -21,6 +21,7 @@ void add_cloud_commands(std::vector<Command>& commands);
 void add_figure_commands(std::vector<Command>& commands);
 void add_strip_commands(std::vector<Command>& commands);
 void add_fit_commands(std::vector<Command>& commands);
+void add_inspect_commands(std::vector<Command>& commands);
 void add_learning_commands(std::vector<Command>& commands);
 void add_plot_commands(std::vector<Command>& commands);
 void add_help_commands(std::vector<Command>& commands);

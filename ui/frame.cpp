@@ -12,6 +12,7 @@
 #include "ui/centre_views.h"
 #include "ui/file_browser.h"
 #include "ui/filter_panel.h"
+#include "ui/inspect_panels.h"
 #include "ui/panels.h"
 #include "ui/recovery.h"
 #include "ui/studio.h"
@@ -152,6 +153,10 @@ void draw_bottom(Studio& studio) {
 }
 
 void draw_inspector(Studio& studio) {
+  if (const auto side = centre_view(studio).side) {
+    side(studio);
+    return;
+  }
   draw_template_panel(studio);
   draw_compare_panel(studio);
   draw_part_panel(studio);
@@ -227,6 +232,10 @@ std::span<const Panel> all_panels() {
                                      Panel{"messages", draw_messages_panel},
                                      Panel{"history", draw_history_panel},
                                      Panel{"diagnostics", draw_diagnostics_panel},
+                                     Panel{"corrections", draw_corrections_panel},
+                                     Panel{"fit terms", draw_fit_terms_panel},
+                                     Panel{"inspected fit", draw_inspect_view},
+                                     Panel{"inspection tools", draw_inspect_tools},
                                      Panel{"tools", draw_tool_bar},
                                      Panel{"status", draw_status_bar}};
   return panels;

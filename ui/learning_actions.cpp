@@ -73,6 +73,7 @@ void learn_from(Studio& studio, Start from) {
   const JobId job = studio.jobs.start(
       title, [&studio, path, threads, document, from, title](const JobControl& control) -> Jobs::Apply {
         Project project = Project::open(path);
+        store_corrections(project, document);
         // The templates of the project may be those of a learning that was stopped: it is gone on with.
         const bool of_project =
             from == Start::document && current_templates(project) == templates_of(document);

@@ -34,12 +34,13 @@ std::optional<ShapeFit> fit_at_shown_yaw(const PartTemplate& part_template, cons
   FitOptions options = request.options;
   options.yaw_costs.fill(std::numeric_limits<double>::infinity());
   options.yaw_costs[static_cast<std::size_t>(shown)] = 0;
-  return fit_template(part_template, *request.samples, options, control);
+  return fit_template(part_template, *request.samples, options, control, nullptr, request.pinned);
 }
 
 std::optional<ShapeFit> fit_at_any_yaw(const PartTemplate& part_template, const LiveFitRequest& request,
                                        const JobControl& control) {
-  std::optional<ShapeFit> fit = fit_template(part_template, *request.samples, request.options, control);
+  std::optional<ShapeFit> fit =
+      fit_template(part_template, *request.samples, request.options, control, nullptr, request.pinned);
   const int shown = request.start ? request.start->fit.yaw_quarters : 0;
   if (!fit || fit->yaw_quarters == shown) return fit;
   const auto energy_at = [&](int yaw) { return fit->yaw_energies[static_cast<std::size_t>(yaw)]; };
@@ -70,7 +71,7 @@ std::vector<std::int16_t> LiveFitter::label(const LiveFitRequest& request, const
     labeller_.reset();  // it may be half made
     return {};
   }
-  return labeller_->label(*request.part_template, fit, control);
+  return labeller_->label(*request.part_template, fit, control, request.pinned);
 }
 
 std::optional<LiveFitResult> LiveFitter::run(const LiveFitRequest& request, const JobControl& control) {
@@ -81,11 +82,11 @@ std::optional<LiveFitResult> LiveFitter::run(const LiveFitRequest& request, cons
     const Clock::time_point start = Clock::now();
     // A third of what following a fit takes: once for all that asks for it.
     const PartTemplate part_template = with_expected_features(*request.part_template);
-    std::optional<ShapeFit> fit = can_go_on(request)
-                                      ? follow_template(part_template, *request.samples, graph(request),
-                                                        request.start->fit, request.options, control)
-                                  : request.keep_yaw ? fit_at_shown_yaw(part_template, request, control)
-                                                     : fit_at_any_yaw(part_template, request, control);
+    std::optional<ShapeFit> fit =
+        can_go_on(request) ? follow_template(part_template, *request.samples, graph(request),
+                                             request.start->fit, request.options, control, request.pinned)
+        : request.keep_yaw ? fit_at_shown_yaw(part_template, request, control)
+                           : fit_at_any_yaw(part_template, request, control);
     if (!fit) return std::nullopt;
     result.fit_milliseconds = milliseconds_since(start);
 

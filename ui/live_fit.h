@@ -9,6 +9,7 @@
 #include "core/evaluation/label_elements.h"
 #include "core/fitting/alpha_expansion.h"
 #include "core/fitting/fit_options.h"
+#include "core/fitting/pinned_labels.h"
 #include "core/geometry/polygon_mesh.h"
 #include "core/session/latest_worker.h"
 #include "ui/shape_in_view.h"
@@ -23,6 +24,7 @@ struct LiveFitRequest {
   bool keep_yaw = false;                    // boxes were made on the shape as it is shown: it stands right
   bool dragging = false;                    // false: all yaws are tried anew
   FitOptions options;
+  std::vector<PinnedLabel> pinned;      // of the template
   std::uint64_t document_revision = 0;  // history.revision() of the template
   std::uint64_t shape_revision = 0;     // of the shape in view
 };

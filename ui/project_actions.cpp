@@ -87,6 +87,7 @@ void put_into_view(Studio& studio, OpenedProject opened) {
   studio.ui.clusters = {};
   studio.opening.opened();
   studio.ui.selection = {};
+  studio.ui.inspect = {};
   show_shape(studio, std::nullopt);
   if (!studio.collection.rows().empty()) show_shape(studio, studio.collection.rows()[0].id);
 }
@@ -255,13 +256,15 @@ void save_project_as(Studio& studio, const fs::path& wanted) {
 }
 
 void fit_all(Studio& studio) {
-  const PartTemplate part_template = *studio.history.committed().active_template();
+  const Document document = studio.history.committed();
+  const PartTemplate part_template = *document.active_template();
   const fs::path path = studio.collection.path;
   const auto threads = static_cast<unsigned>(studio.settings.threads);
   const JobId job = studio.jobs.start(
       "Fit " + part_template.name + " to all shapes",
-      [&studio, part_template, path, threads](const JobControl& control) -> Jobs::Apply {
+      [&studio, document, part_template, path, threads](const JobControl& control) -> Jobs::Apply {
         Project project = Project::open(path);
+        store_corrections(project, document);
         const FitCollectionReport report = fit_collection(project, {part_template}, {}, threads, control);
         return [&studio, report] {
           warn_of_refused(studio, report.refused);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/fitting/pinned_labels.h"
 #include "ui/learning_actions.h"
 #include "ui/selection.h"
 
@@ -77,6 +78,14 @@ void ask_for_fit(Studio& studio) {
   request.dragging = studio.history.has_preview();
   request.document_revision = revision;
   request.shape_revision = studio.shape.shape_revision;
+  const ShapeCorrection* correction =
+      studio.ui.shape ? correction_of(studio.history.current(), *studio.ui.shape) : nullptr;
+  if (correction && correction->yaw_quarters) {
+    request.options.yaw_costs = pinned_yaw_costs({}, *correction);
+    request.keep_yaw = false;
+  }
+  if (correction && studio.shape.record && correction->sampling == sampling_of(*studio.shape.record))
+    request.pinned = pinned_labels(correction->pinned, *shown, studio.shape.samples->size());
   live.worker.request(std::move(request), other_shape || other_look);
   live.asked_look = look;
   live.asked_document = revision;
@@ -163,6 +172,7 @@ Studio::Studio(StudioOptions given)
       directory_reader(list_directory, options.wake),
       live_fit(options.wake),
       strip(options.wake),
+      inspection(options.wake),
       region_worker(find_surface_regions, options.wake),
       thumbnails(options.shaders, options.wake),
       jobs(options.wake) {}
@@ -184,6 +194,7 @@ void begin_frame(Studio& studio) {
   begin_fit_tables(studio);
   begin_shape_map(studio);
   begin_strip(studio);
+  begin_inspection(studio);
   tell_problems(studio);
   studio.ui.selection.hovered = std::exchange(studio.ui.selection.hovering, std::nullopt);
   keep_selection_valid(studio);
@@ -196,6 +207,7 @@ void end_frame(Studio& studio) {
   keep_selection_valid(studio);
   ask_for_fit(studio);
   end_strip(studio);
+  end_inspection(studio);
   end_fit_tables(studio);
   studio.thumbnails.end_frame();
   autosave(studio);
@@ -217,7 +229,8 @@ bool settled(const Studio& studio) {
          studio.rows_reader.idle() && studio.directory_reader.idle() && studio.autosave.saver.idle() &&
          studio.thumbnails.idle() && !studio.live_fit.newly_shown &&
          studio.live_fit.asked_shape == studio.shape.shape_revision && strip_settled(studio) &&
-         fit_tables_settled(studio) && !cloud_busy(studio) && studio.shape_map.maker.idle() &&
+         fit_tables_settled(studio) && inspection_settled(studio) && !cloud_busy(studio) &&
+         studio.shape_map.maker.idle() &&
          (studio.ui.centre != CentreView::shape ||
           !viewport_busy(studio.viewport, studio.shape.shape_revision));
 }

@@ -23,6 +23,7 @@
 #include "ui/directory_reader.h"
 #include "ui/fit_tables.h"
 #include "ui/fonts.h"
+#include "ui/inspection.h"
 #include "ui/keys.h"
 #include "ui/latency.h"
 #include "ui/live_fit.h"
@@ -107,6 +108,7 @@ struct Studio {
   DirectoryReader directory_reader;
   LiveFit live_fit;
   ShapeStrip strip;
+  Inspection inspection;
   RegionWorker region_worker;
   ThumbnailStore thumbnails;
   Jobs jobs;

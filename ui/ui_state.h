@@ -16,6 +16,7 @@
 #include "ui/clusters_state.h"
 #include "ui/collection.h"
 #include "ui/explorer_selection.h"
+#include "ui/inspect_options.h"
 #include "ui/key_changes.h"
 #include "ui/plots_state.h"
 #include "ui/point_tools.h"
@@ -113,6 +114,7 @@ struct UiState {
   CentreView centre = CentreView::shape;
   ExplorerSelection selection;
   CloudChoice cloud;
+  InspectOptions inspect;
   std::optional<ShapeId> shape;            // the shape in view
   std::optional<std::size_t> part;         // the selected part of the active template; see ui/selection.h
   std::vector<std::size_t> also_selected;  // parts that are edited with it; empty without it

@@ -24,6 +24,7 @@ int run_info(const std::filesystem::path& path, const Invocation& invocation) {
   }
   const std::vector<TemplateRecord> templates = project.templates();
   const std::vector<RefusedInput> refused = project.refused();
+  const std::size_t corrected = project.corrections().size();
   if (invocation.json) {
     Json list = Json::array();
     for (const TemplateRecord& record : templates) {
@@ -36,6 +37,7 @@ int run_info(const std::filesystem::path& path, const Invocation& invocation) {
                 {"shapes", project.shape_count()},
                 {"fitted", fits.size()},
                 {"labelled", labelled},
+                {"corrected", corrected},
                 {"mean_energy", energy},
                 {"templates", list},
                 {"refused", refused_json(refused)}});
@@ -44,6 +46,7 @@ int run_info(const std::filesystem::path& path, const Invocation& invocation) {
   std::vector<std::vector<std::string>> rows{{"shapes", std::to_string(project.shape_count())},
                                              {"fitted", std::to_string(fits.size())},
                                              {"labelled", std::to_string(labelled)},
+                                             {"corrected by hand", std::to_string(corrected)},
                                              {"refused inputs", std::to_string(refused.size())},
                                              {"mean energy", fits.empty() ? "-" : fixed(energy, 4)}};
   print_table(std::cout, rows);

@@ -7,6 +7,7 @@
 #include "core/base/random.h"
 #include "core/session/actions.h"
 #include "tests/ui/test_window.h"
+#include "ui/inspect_actions.h"
 #include "ui/selection.h"
 
 using namespace archetype;
@@ -51,6 +52,18 @@ void prepare(TestWindow& window, std::string_view command) {
   if (command == "take-suggestion")
     studio.ui.suggestions.push_back(
         {{.part_template = *studio.history.committed().active_template()}, nullptr});
+  if (command == "pin-shown") {
+    REQUIRE(run_command(studio, "fit-all"));
+    REQUIRE(run_command(studio, "show-inspect"));
+    window.settle();
+  }
+  if (command == "free-yaw" || command == "clear-corrections")
+    pin_yaw(studio.history, shape_in_view(studio), 1);
+  if (command == "unmark-outlier")
+    mark_shapes(studio.history, std::vector{shape_in_view(studio)}, ShapeMark::outlier);
+  if (command == "free-template") pin_template(studio.history, shape_in_view(studio), "chair");
+  if (command == "free-points")
+    pin_samples(studio.history, shape_in_view(studio), {}, std::vector<std::uint32_t>{1, 2}, "seat");
   if (command.ends_with("points")) {
     studio.ui.points.selected = {1, 2, 3, 50};
     studio.ui.points.shape_revision = studio.shape.shape_revision;
@@ -71,6 +84,8 @@ Text arguments_of(const TestWindow& window, std::string_view command) {
                                                       {"set-label", {"9"}},
                                                       {"set-colour", {"5"}},
                                                       {"set-existence", {"0.5"}},
+                                                      {"pin-yaw", {"90"}},
+                                                      {"pin-template", {"stool"}},
                                                       {"take-suggestion", {"1"}}};
   if (command == "load-template") return {(window.scratch().path() / "t.json").string()};
   const auto found = known.find(command);
@@ -85,8 +100,11 @@ TEST_CASE("Every editing command is one step: done, undone and redone") {
     CAPTURE(command.name);
     TestWindow window;
     Studio& studio = window.studio();
-    const bool needs_shape =
-        command.name == "adopt-fit" || command.name == "learn-features" || command.name.ends_with("points");
+    bool needs_shape = command.name == "adopt-fit" || command.name == "learn-features" ||
+                       command.name == "clear-corrections";
+    for (const char* end :
+         {"points", "-yaw", "pin-template", "free-template", "-shown", "-outlier", "learn-from-shape"})
+      needs_shape = needs_shape || command.name.ends_with(end);
     if (needs_shape) window.open_chairs(1);
     make_document(window);
     window.settle();

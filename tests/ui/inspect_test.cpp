@@ -1,0 +1,238 @@
+// A single fit is looked into, and what a person corrects of it holds from the next fit on.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "core/session/correction_actions.h"
+#include "tests/ui/test_window.h"
+#include "ui/inspect_actions.h"
+#include "ui/inspection.h"
+
+using namespace archetype;
+using archetype::test::TestWindow;
+
+namespace {
+
+// Some chairs, fitted, and the first one inspected.
+void open_fitted(TestWindow& window, std::size_t count) {
+  window.open_chairs(count);
+  window.make_template();
+  REQUIRE(run_command(window.studio(), "fit-all"));
+  window.settle();
+  REQUIRE(run_command(window.studio(), "show-inspect"));
+  window.settle();
+  REQUIRE(window.studio().inspection.main.look);
+}
+
+const ShapeFit& shown(TestWindow& window) {
+  return window.studio().inspection.main.look->fit;
+}
+
+FitSummary stored(TestWindow& window) {
+  const Studio& studio = window.studio();
+  return studio.collection.rows()[*find_row(studio.collection, *studio.ui.shape)].fit.value();
+}
+
+bool run(TestWindow& window, const char* command, const std::vector<std::string>& arguments = {}) {
+  const bool done = run_command(window.studio(), command, arguments);
+  window.settle();
+  return done;
+}
+
+// Every target that is in the window is clicked once.
+void click_all(TestWindow& window, const std::string& prefix) {
+  std::vector<std::string> names;
+  for (const Target& target : window.studio().targets)
+    if (target.name.starts_with(prefix)) names.push_back(target.name);
+  for (const std::string& name : names) {
+    if (!window.has(name)) continue;
+    window.click(name);
+    window.key("Escape");
+  }
+}
+
+}  // namespace
+
+TEST_CASE("The view of a single fit says what to do while there is nothing to inspect") {
+  TestWindow window;
+  REQUIRE(run_command(window.studio(), "show-inspect"));
+  window.frames(3);
+  CHECK_FALSE(window.has("inspect:shape"));
+  window.open_chairs(1);
+  CHECK(window.has("inspect:shape"));  // as it stands: it was not fitted yet
+  CHECK_FALSE(window.studio().inspection.main.look);
+  window.click("command:show-shape");
+  CHECK(window.has("viewport"));
+  window.click("command:show-inspect");
+  CHECK(window.has("inspect:shape"));
+}
+
+TEST_CASE("What other yaws score is seen by a click, can be pinned, and the next fit heeds it") {
+  TestWindow window;
+  open_fitted(window, 2);
+  Studio& studio = window.studio();
+  const Alternatives* all = alternatives_of_view(studio);
+  REQUIRE(all);
+  CHECK(all->fits.size() == 4);
+  const int before = stored(window).yaw_quarters;
+  CHECK(shown(window).yaw_quarters == before);
+  const int other = (before + 1) % 4;
+  window.click("alternative:chair:" + std::to_string(other * 90));
+  window.settle();
+  CHECK(shown(window).yaw_quarters == other);
+  CHECK(stored(window).yaw_quarters == before);
+
+  window.click("command:pin-shown");
+  window.settle();
+  CHECK(correction_in_view(studio).yaw_quarters == other);
+  CHECK(shown(window).yaw_quarters == other);  // as the next fit will find it
+  CHECK(outdated_fits(studio) == 1);
+  window.key("Ctrl+Z");
+  window.settle();
+  CHECK(shown(window).yaw_quarters == before);
+  CHECK(outdated_fits(studio) == 0);
+  window.key("Ctrl+Shift+Z");
+  window.click("command:refit-corrected");
+  window.settle();
+  CHECK(stored(window).yaw_quarters == other);
+  CHECK(shown(window).yaw_quarters == other);
+  CHECK(outdated_fits(studio) == 0);
+  REQUIRE(run(window, "fit-all"));
+  CHECK(stored(window).yaw_quarters == other);
+}
+
+TEST_CASE("The alternations are gone through step by step") {
+  TestWindow window;
+  open_fitted(window, 1);
+  const std::vector<ShapeFit>* steps = shown_steps(window.studio());
+  REQUIRE(steps);
+  REQUIRE(steps->size() > 2);
+  CHECK(window.has("inspect:steps"));
+  for (const std::size_t step : {std::size_t{0}, std::size_t{1}, steps->size() - 1}) {
+    REQUIRE(run(window, "inspect-step", {std::to_string(step)}));
+    CHECK(shown(window).alternations == (*steps)[step].alternations);
+    CHECK(shown(window).energy == (*steps)[step].energy);
+  }
+  window.click("inspect:steps");  // in the middle
+  window.settle();
+  CHECK(shown(window).alternations < steps->back().alternations);
+}
+
+TEST_CASE("Pointing at one shape shows the place on the other, and a click picks it for all views") {
+  TestWindow window;
+  open_fitted(window, 3);
+  Studio& studio = window.studio();
+  REQUIRE(run(window, "inspect-beside"));
+  REQUIRE(studio.inspection.beside.look);
+  CHECK(studio.ui.inspect.beside != studio.ui.shape);
+  window.press_on("inspect:shape");
+  window.let_go();
+  window.frames(2);
+  REQUIRE(studio.inspection.hovered);
+  CHECK(studio.ui.selection.hovered == studio.ui.shape);
+  REQUIRE(studio.ui.selection.place);
+  CHECK(studio.ui.selection.place->shape == studio.ui.shape);
+  CHECK(studio.inspection.hovered->on_other.has_value());
+  window.click("command:inspect-alone");
+  CHECK_FALSE(studio.ui.inspect.beside);
+}
+
+TEST_CASE("A place found on the same shape is where it was pointed at") {
+  TestWindow window;
+  open_fitted(window, 1);
+  const FitLook& look = *window.studio().inspection.main.look;
+  for (const std::uint32_t i : {10U, 300U, 700U}) {
+    const Vec3 p = look.shape->samples->points[i];
+    const auto on_template = place_on_template(look, p);
+    if (!on_template) continue;
+    const auto back = place_on_shape(look, *look.part_template, *on_template);
+    REQUIRE(back);
+    CHECK((*back - p).norm() < 0.05);
+  }
+}
+
+TEST_CASE("A stroke of the brush pins what it touches in one step, and the next fit heeds it") {
+  TestWindow window;
+  open_fitted(window, 1);
+  Studio& studio = window.studio();
+  REQUIRE(run(window, "paint-labels", {"leg"}));
+  const Document before = studio.history.current();
+  const std::size_t steps = studio.history.entries().size();
+  window.drag("inspect:shape", 30, 10);
+  CHECK(studio.history.entries().size() == steps + 1);
+  const ShapeCorrection painted = correction_in_view(studio);
+  REQUIRE(painted.pinned.contains("leg"));
+  const Document after = studio.history.current();
+  window.key("Ctrl+Z");
+  CHECK(studio.history.current() == before);
+  window.key("Ctrl+Shift+Z");
+  CHECK(studio.history.current() == after);
+  window.settle();
+  const auto all_legs = [&](const ShapeFit& fit) {
+    return std::ranges::all_of(painted.pinned.at("leg"), [&](std::uint32_t i) { return fit.labels[i] == 2; });
+  };
+  CHECK(all_legs(shown(window)));
+  REQUIRE(run(window, "refit-corrected"));
+  CHECK(all_legs(studio.inspection.main.shape->fit->fit));
+
+  // Esc drops a stroke that is under way.
+  window.press_on("inspect:shape");
+  window.move_by(40, 30);
+  window.key("Escape");
+  window.move_by(10, 10);
+  window.let_go();
+  CHECK_FALSE(studio.history.has_preview());
+  CHECK(studio.history.current() == after);
+  REQUIRE(run(window, "free-points"));
+  CHECK(correction_in_view(studio).empty());
+}
+
+TEST_CASE("Marks are switches, and what is selected together is marked together") {
+  TestWindow window;
+  open_fitted(window, 3);
+  Studio& studio = window.studio();
+  window.click("command:mark-outlier");
+  CHECK(correction_in_view(studio).mark == ShapeMark::outlier);
+  window.click("command:mark-outlier");
+  CHECK(correction_in_view(studio).mark == ShapeMark::none);
+  std::vector<ShapeId> all;
+  for (const ShapeRow& row : studio.collection.rows()) all.push_back(row.id);
+  select_only(studio.ui.selection, all);
+  window.click("command:learn-from-shape");
+  CHECK(studio.history.current().corrections->size() == 3);
+  REQUIRE(run(window, "refit-corrected"));
+  for (const ShapeRow& row : studio.collection.rows()) CHECK(row.fit->status == FitStatus::learned);
+}
+
+TEST_CASE("What was corrected is there when the project is opened again") {
+  TestWindow window;
+  open_fitted(window, 2);
+  Studio& studio = window.studio();
+  pin_yaw(studio.history, shape_in_view(studio), 2);
+  mark_shapes(studio.history, shapes_to_correct(studio), ShapeMark::outlier);
+  const Document document = studio.history.current();
+  save_now(studio);
+  CHECK(read_document(Project::open(studio.collection.path)) == document);
+}
+
+TEST_CASE("All that the view of a single fit has is drawn and clicked, on a few shapes and on many") {
+  for (const std::size_t count : {std::size_t{1}, std::size_t{36}}) {
+    TestWindow window;
+    open_fitted(window, count);
+    Studio& studio = window.studio();
+    for (const char* command : {"inspect-mean-boxes", "inspect-template-points", "inspect-correspondences",
+                                "inspect-samples", "paint-labels"})
+      CHECK(run(window, command));
+    for (const char* colour : {"plain", "distance", "features", "smoothness", "part"})
+      CHECK(run(window, "inspect-colour", {colour}));
+    CHECK_FALSE(run(window, "inspect-colour", {"taste"}));
+    if (count > 1) CHECK(run(window, "inspect-beside"));
+    click_all(window, "inspect:");
+    click_all(window, "alternative:");
+    click_all(window, "brush:");
+    window.settle();
+    CHECK_FALSE(studio.history.has_preview());
+    REQUIRE(studio.inspection.cluster);
+    CHECK(studio.inspection.cluster->terms.shapes == count);
+  }
+}

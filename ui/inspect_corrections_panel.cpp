@@ -1,0 +1,189 @@
+// What else the shape in view could be, and what a person has said of it.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "core/fitting/energy.h"
+#include "ui/icons.h"
+#include "ui/inspect_actions.h"
+#include "ui/inspect_panels.h"
+#include "ui/studio.h"
+#include "ui/widgets.h"
+
+namespace archetype {
+namespace {
+
+bool is_pinned(const ShapeCorrection& correction, const std::string& name, int yaw) {
+  const bool template_pinned = correction.part_template.empty() || correction.part_template == name;
+  const bool yaw_pinned = !correction.yaw_quarters || *correction.yaw_quarters == yaw;
+  const bool any = correction.yaw_quarters || !correction.part_template.empty();
+  return any && template_pinned && yaw_pinned;
+}
+
+// Nothing chosen is the fit of the project.
+void choose(Studio& studio, std::optional<ChosenAlternative> alternative) {
+  studio.ui.inspect.chosen = alternative;
+  studio.ui.inspect.step.reset();
+}
+
+void draw_alternative(Studio& studio, const Alternatives& all, std::size_t part_template, int yaw) {
+  const TemplateRecord& record = all.of.shape->templates[part_template];
+  const ChosenAlternative which{record.id, yaw};
+  const FitAlternative* found = find_alternative(all, which);
+  if (!found) {
+    muted_text(studio, "–");
+    return;
+  }
+  const auto& stored = all.of.shape->fit;
+  const bool is_stored =
+      stored && which == ChosenAlternative{stored->part_template, stored->fit.yaw_quarters};
+  const auto shown = shown_alternative(studio);
+  const bool is_shown = shown ? *shown == which : is_stored;
+  double energy = found->fit.energy.total();
+  const bool lacks = energy >= missing_must_exist_energy;
+  char text[64];
+  if (lacks)
+    std::snprintf(text, sizeof text, "lacks");
+  else
+    std::snprintf(text, sizeof text, "%.3f", energy);
+  std::string label = text;
+  if (is_pinned(correction_in_view(studio), record.part_template.name, yaw))
+    label = std::string(icon::check) + label;
+  ImGui::PushID(static_cast<int>(part_template) * 4 + yaw);
+  if (is_stored) ImGui::PushStyleColor(ImGuiCol_Text, colours(studio).accent);
+  if (ImGui::Selectable(label.c_str(), is_shown))
+    choose(studio, is_stored && !coming_fit(studio) ? std::nullopt : std::optional(which));
+  if (is_stored) ImGui::PopStyleColor();
+  mark_target(studio, "alternative:" + record.part_template.name + ":" + std::to_string(yaw * 90));
+  char hint[200];
+  std::snprintf(hint, sizeof hint, "%s at %d°: energy %.4f, %.4f where templates are compared%s%s",
+                record.part_template.name.c_str(), yaw * 90, energy, found->choice,
+                lacks ? "; a part that must exist was not found" : "",
+                is_stored ? ". This is the fit of the project." : ". Click to see it.");
+  tooltip(hint);
+  ImGui::PopID();
+}
+
+void draw_alternatives(Studio& studio) {
+  section_title(studio, "Templates and yaws");
+  const Alternatives* all = alternatives_of_view(studio);
+  if (!all) {
+    muted_paragraph(studio, studio.inspection.main.shape
+                                ? "Trying them…"
+                                : "What other templates and yaws scored shows here.");
+    return;
+  }
+  if (all->templates.empty()) {
+    muted_paragraph(studio, "The project has no templates yet: fit the template to all shapes, or learn.");
+    return;
+  }
+  const float scale = studio.fonts.scale;
+  if (ImGui::BeginTable("##alternatives", 5, ImGuiTableFlags_SizingStretchProp)) {
+    ImGui::TableSetupColumn("Template", 0, 1.6F);
+    for (const char* yaw : {"0°", "90°", "180°", "270°"}) ImGui::TableSetupColumn(yaw, 0, 1);
+    ImGui::TableHeadersRow();
+    for (std::size_t t = 0; t < all->templates.size(); ++t) {
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      const std::string& name = all->templates[t]->name;
+      ImGui::TextUnformatted(fitted(name, ImGui::GetContentRegionAvail().x).c_str());
+      tooltip(name.c_str());
+      for (int yaw = 0; yaw < 4; ++yaw) {
+        ImGui::TableNextColumn();
+        draw_alternative(studio, *all, t, yaw);
+      }
+    }
+    ImGui::EndTable();
+  }
+  ImGui::Dummy({0, 2 * scale});
+  command_button(studio, "pin-shown", std::string(icon::check) + "  Pin what is shown",
+                 {share_of_width(2), 0});
+  ImGui::SameLine();
+  command_button(studio, "inspect-stored", "Back to the project's", {share_of_width(1), 0});
+}
+
+void draw_pins(Studio& studio, const ShapeCorrection& correction) {
+  const auto line = [&](const std::string& text, const char* command) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - 56 * studio.fonts.scale);
+    command_button(studio, command, "Free", {56 * studio.fonts.scale, 0});
+  };
+  if (correction.yaw_quarters)
+    line("Yaw pinned to " + std::to_string(*correction.yaw_quarters * 90) + "°", "free-yaw");
+  if (!correction.part_template.empty())
+    line("Template pinned: " + correction.part_template, "free-template");
+  std::size_t points = 0;
+  for (const auto& [part, samples] : correction.pinned) points += samples.size();
+  if (points > 0) line(plural(points, "point") + " pinned", "free-points");
+}
+
+void draw_brush(Studio& studio) {
+  InspectOptions& options = studio.ui.inspect;
+  if (!options.painting) return;
+  const auto& look = studio.inspection.main.look;
+  if (!look) return;
+  const float scale = studio.fonts.scale;
+  const auto choice = [&](const char* name, const std::string& part, bool freeing, const Rgb& rgb) {
+    const bool on = options.freeing == freeing && (freeing || options.paint_part == part);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetTextLineHeight();
+    ImGui::PushID(name);
+    if (ImGui::Selectable("##brush", on)) {
+      options.freeing = freeing;
+      options.paint_part = part;
+    }
+    mark_target(studio, std::string("brush:") + name);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled({low.x + 2, low.y + height * 0.2F}, {low.x + 2 + height * 0.6F, low.y + height * 0.8F},
+                       IM_COL32(rgb[0], rgb[1], rgb[2], 255), 3 * scale);
+    draw.AddText({low.x + height, low.y}, ImGui::GetColorU32(colours(studio).text), name);
+    ImGui::PopID();
+  };
+  muted_text(studio, "The brush makes what it touches");
+  for (std::size_t i = 0; i < look->part_template->parts.size(); ++i) {
+    const std::string& name = look->part_template->parts[i].name;
+    choice(name.c_str(), name, false, part_colour(*look->part_template, static_cast<int>(i)));
+  }
+  choice("no part", "", false, part_colour(-1));
+  choice("free again", "", true, part_colour(-1));
+  auto radius = static_cast<float>(options.brush_radius);
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::SliderFloat("##radius", &radius, static_cast<float>(least_brush_radius),
+                         static_cast<float>(largest_brush_radius), "radius %.2f",
+                         ImGuiSliderFlags_Logarithmic))
+    options.brush_radius = radius;
+  mark_target(studio, "brush:radius");
+  tooltip("Of the brush, in the unit of the template. Ctrl and the wheel change it too.");
+}
+
+}  // namespace
+
+void draw_corrections_panel(Studio& studio) {
+  draw_alternatives(studio);
+  section_title(studio, "Corrections");
+  const ShapeCorrection correction = correction_in_view(studio);
+  command_toggle(studio, "mark-outlier", std::string(icon::warning) + "  Outlier");
+  ImGui::SameLine();
+  command_toggle(studio, "learn-from-shape", std::string(icon::check) + "  Learn from this");
+  ImGui::SameLine();
+  command_toggle(studio, "paint-labels", std::string(icon::draw) + "  Brush");
+  draw_brush(studio);
+  draw_pins(studio, correction);
+  if (correction.empty())
+    muted_paragraph(studio,
+                    "What is pinned, painted or marked here holds in every later fit and in learning.");
+  command_button(studio, "template-from-shape", "Make a template", {share_of_width(2), 0});
+  ImGui::SameLine();
+  command_button(studio, "inspect-beside", studio.ui.inspect.beside ? "Another beside" : "Show one beside",
+                 {share_of_width(1), 0});
+  if (studio.ui.inspect.beside) command_button(studio, "inspect-alone", "Only this shape", {-1, 0});
+  const std::size_t outdated = outdated_fits(studio);
+  if (outdated > 0) {
+    ImGui::TextColored(colours(studio).warning, "%s", (plural(outdated, "fit") + " out of date").c_str());
+    command_button(studio, "refit-corrected", std::string(icon::play) + "  Fit them anew", {-1, 0});
+  }
+}
+
+}  // namespace archetype

@@ -1,0 +1,126 @@
+// A single fit under the magnifying glass: what it is, what else it could have been, and what a person says
+// of it. What the view keeps from frame to frame, and the workers that make it.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/camera.h"
+#include "render/renderer.h"
+#include "ui/camera_mouse.h"
+#include "ui/inspect_options.h"
+#include "ui/inspected_fit.h"
+#include "ui/viewport_scene.h"
+
+namespace archetype {
+
+struct Studio;
+
+// Everything that the picture of a side depends on.
+struct InspectPicture {
+  Camera camera;
+  PictureSize size;
+  Backdrop backdrop = Backdrop::dark;
+  std::shared_ptr<const FitLook> look;
+  std::shared_ptr<const InspectedShape> shape;
+  InspectColour colour = InspectColour::part;
+  std::array<bool, 5> shown{};
+  std::shared_ptr<const Corrections> corrections;
+  std::optional<std::size_t> part;
+  friend bool operator==(const InspectPicture&, const InspectPicture&) = default;
+};
+
+// One of the two shapes.
+struct InspectSide {
+  explicit InspectSide(const std::function<void()>& wake)
+      : loader(load_inspected, wake),
+        looker(
+            [fitter = std::make_shared<FitLooker>()](const LookRequest& request, const JobControl& control) {
+              return fitter->run(request, control);
+            },
+            wake) {}
+
+  std::shared_ptr<const InspectedShape> shape;  // null until it is read
+  std::string problem;                          // why it could not be
+  std::shared_ptr<const FitLook> look;          // null: none yet
+  std::optional<LoadInspected> asked;
+  std::shared_ptr<const ShapeFit> asked_fit;  // the one that was asked to be taken apart
+
+  ShapeColours colours;
+  std::shared_ptr<const FitLook> coloured;
+  InspectColour coloured_by = InspectColour::part;
+
+  RenderTarget target;
+  std::optional<InspectPicture> drawn;
+  bool drawn_fine = false;
+  std::chrono::steady_clock::time_point changed_at{};
+
+  LatestWorker<LoadInspected, LoadedInspected> loader;
+  LatestWorker<LookRequest, LookResult> looker;
+};
+
+// A place on a shape that the mouse points at, or pointed at.
+struct InspectedPlace {
+  std::size_t side = 0;
+  Vec3 point = Vec3::Zero();     // normalised coordinates of the shape
+  std::uint32_t sample = 0;      // the nearest one
+  std::optional<Vec3> on_other;  // where it is on the other shape
+};
+
+// Needs the window's OpenGL context when it dies.
+struct Inspection {
+  explicit Inspection(const std::function<void()>& wake)
+      : main(wake),
+        beside(wake),
+        alternatives_maker(make_alternatives, wake),
+        cluster_reader(read_cluster, wake) {}
+
+  InspectSide main;
+  InspectSide beside;
+  InspectSide& side(std::size_t index) { return index == 0 ? main : beside; }
+  const InspectSide& side(std::size_t index) const { return index == 0 ? main : beside; }
+
+  std::shared_ptr<const Alternatives> alternatives;  // may be of another shape: see alternatives_of_view()
+  std::optional<AlternativesRequest> asked_alternatives;
+  std::optional<ClusterResult> cluster;
+  std::optional<ClusterRequest> asked_cluster;
+
+  Camera camera;  // of both sides: the shapes stand in the frame of the template
+  bool framed = false;
+  CameraMouse mouse;
+  std::size_t held = 0;               // the side that the mouse button went down on
+  bool stroking = false;              // the brush is down
+  std::vector<std::uint32_t> stroke;  // the samples painted since the button went down
+  bool stroke_previewed = false;
+  std::optional<InspectedPlace> hovered;  // of the frame drawn last
+
+  LatestWorker<AlternativesRequest, std::shared_ptr<const Alternatives>> alternatives_maker;
+  LatestWorker<ClusterRequest, ClusterResult> cluster_reader;
+};
+
+// What was corrected of the shape in view; nothing of it where that is nothing.
+ShapeCorrection correction_in_view(const Studio& studio);
+// The newest alternatives of the shape in view; null while they are made.
+const Alternatives* alternatives_of_view(const Studio& studio);
+// The one of a template and yaw; null if there is none.
+const FitAlternative* find_alternative(const Alternatives& alternatives, const ChosenAlternative& wanted);
+// Where the fit that the project holds does not heed what was corrected since: what the next fit will find,
+// but for the say of other shapes in the yaw. Nothing where it does, or the alternatives are not there.
+std::optional<ChosenAlternative> coming_fit(const Studio& studio);
+// What is shown: the one that was chosen, what comes, or the fit of the project (nothing).
+std::optional<ChosenAlternative> shown_alternative(const Studio& studio);
+// The alternations of what is shown; null where they are not known.
+const std::vector<ShapeFit>* shown_steps(const Studio& studio);
+// Shapes whose fit in the project is not of its templates and of what was corrected.
+std::size_t outdated_fits(const Studio& studio);
+
+// Once a frame, before and after its panels. Nothing is asked for while the view is not shown.
+void begin_inspection(Studio& studio);
+void end_inspection(Studio& studio);
+bool inspection_settled(const Studio& studio);
+
+}  // namespace archetype
