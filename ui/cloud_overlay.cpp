@@ -118,7 +118,8 @@ void draw_captions(Studio& studio, const CloudPane& pane) {
     title += "   " + number(sharpness.mean_deformed());
     if (sharpness.deformed > 0) title += ", " + factor(sharpness.rigid / sharpness.deformed) + " times less";
   }
-  const std::string meaning = "mean squared distance to the canonical place";
+  const bool at_end = pair || pane.blend <= 0 || pane.blend >= 1;
+  const std::string meaning = at_end ? "mean squared distance to the canonical place" : "";
   if (pane.index == 0)
     draw_caption(studio, pane, title, meaning, counts(studio));
   else

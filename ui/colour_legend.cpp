@@ -27,7 +27,10 @@ void draw_colour_scale(ImDrawList& draw, const Fonts& fonts, const Palette& pale
   const float scale = fonts.scale;
   ImGui::PushFont(fonts.small);
   const float line = ImGui::GetTextLineHeight();
-  const float width = std::max(150 * scale, ImGui::CalcTextSize(legend.title.c_str()).x);
+  const auto wide = [](const std::string& words) { return ImGui::CalcTextSize(words.c_str()).x; };
+  // Wide enough that the middle number keeps off the last one.
+  const float width =
+      std::max({150 * scale, wide(legend.title), 2 * wide(legend.most) + wide(legend.middle) + 16 * scale});
   const float gap = pad * scale;
   const ImVec2 high(corner.x - 8 * scale, corner.y - 8 * scale);
   const ImVec2 low(high.x - width - 2 * gap, high.y - 2 * line - 3 * gap - 4 * scale);
@@ -47,8 +50,7 @@ void draw_colour_scale(ImDrawList& draw, const Fonts& fonts, const Palette& pale
   const float y = bar_bottom + 2 * scale;
   draw.AddText({low.x + gap, y}, text, "0");
   const auto place = [&](const std::string& number, float share) {
-    const float wide = ImGui::CalcTextSize(number.c_str()).x;
-    draw.AddText({low.x + gap + share * (width - wide), y}, text, number.c_str());
+    draw.AddText({low.x + gap + share * (width - wide(number)), y}, text, number.c_str());
   };
   place(legend.middle, 0.5F);
   place(legend.most, 1);

@@ -45,10 +45,16 @@ void show_scope(Studio& studio, Arguments arguments) {
               "\"; expected collection, selected or a template");
 }
 
+// The panes have another size then.
+void toggle_pair(Studio& studio, Arguments) {
+  studio.ui.cloud.pair = !studio.ui.cloud.pair;
+  if (studio.ui.centre == CentreView::cloud) studio.ui.wanted_frame = true;
+}
+
 void blend_to(Studio& studio, Arguments arguments) {
   const double blend = number_argument(arguments, 0, "a number from 0 (rigid) to 1 (deformed)");
   if (blend < 0 || blend > 1) throw Error("expected a number from 0 (rigid) to 1 (deformed)");
-  studio.ui.cloud.pair = false;
+  if (studio.ui.cloud.pair) toggle_pair(studio, {});
   studio.ui.cloud.blend = static_cast<float>(blend);
 }
 
@@ -110,7 +116,7 @@ void add_cloud_commands(std::vector<Command>& commands) {
                        .checked = is_coloured_by<CloudColour::displacement>},
                       {.name = "cloud-pair",
                        .title = "Rigid beside deformed points",
-                       .run = [](Studio& s, Arguments) { s.ui.cloud.pair = !s.ui.cloud.pair; },
+                       .run = toggle_pair,
                        .checked = [](const Studio& s) { return s.ui.cloud.pair; }},
                       {.name = "cloud-boxes",
                        .title = "Mean boxes over the co-aligned points",
