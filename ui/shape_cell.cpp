@@ -163,6 +163,10 @@ CellClick draw_shape_cell(Studio& studio, const ShapeRow& row, const ShapeCell& 
   ImGui::SetItemAllowOverlap();
   mark_target(studio, cell.target + ":" + row.name);
   const bool under_mouse = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenOverlapped);
+  // Also while the button over the picture is held down.
+  const bool offered =
+      cell.offers_template && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenOverlapped |
+                                                   ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   CellClick click = pressed ? click_kind() : CellClick::none;
   if (under_mouse && ImGui::IsMouseDoubleClicked(0) && click_kind() == CellClick::only)
     click = CellClick::open;
@@ -177,7 +181,7 @@ CellClick draw_shape_cell(Studio& studio, const ShapeRow& row, const ShapeCell& 
   } else if (under_mouse) {
     tell(studio, row);
   }
-  if (cell.offers_template && under_mouse && draw_template_button(studio, row, low, high)) {
+  if (offered && draw_template_button(studio, row, low, high)) {
     if (const Command* command = find_command(studio, "template-from-shape"))
       run_on_shape(studio, *command, row);
     click = CellClick::none;
