@@ -17,21 +17,21 @@
 namespace archetype {
 namespace {
 
-// A small button that is on or off; they flow from line to line.
+// Small buttons that are on or off, after a word for what they are; they flow from line to line.
 class Chips {
  public:
-  explicit Chips(Studio& studio)
-      : studio_(studio), right_(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x) {}
+  Chips(Studio& studio, const char* heading)
+      : studio_(studio), right_(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x) {
+    ImGui::AlignTextToFramePadding();
+    muted_text(studio, heading);
+  }
 
   bool chip(const std::string& target, const std::string& text, bool on) {
     const float room = ImGui::GetContentRegionMax().x - 2 * ImGui::GetStyle().FramePadding.x;
     const std::string shown = fitted(text, room);
     const float width = ImGui::CalcTextSize(shown.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-    if (!first_) {
-      ImGui::SameLine();
-      if (ImGui::GetCursorPosX() + width > right_) ImGui::NewLine();
-    }
-    first_ = false;
+    ImGui::SameLine();
+    if (ImGui::GetCursorPosX() + width > right_) ImGui::NewLine();
     const Palette& p = colours(studio_);
     ImGui::PushStyleColor(ImGuiCol_Button, on ? ImVec4(p.accent.x, p.accent.y, p.accent.z, 0.30f) : p.raised);
     ImGui::PushStyleColor(ImGuiCol_Text, on ? p.text : p.muted);
@@ -44,22 +44,14 @@ class Chips {
  private:
   Studio& studio_;
   float right_;
-  bool first_ = true;
 };
-
-void heading(const Studio& studio, const char* text) {
-  ImGui::PushFont(studio.fonts.small);
-  muted_text(studio, text);
-  ImGui::PopFont();
-}
 
 std::size_t count_rows(const Studio& studio, const auto& condition) {
   return static_cast<std::size_t>(std::ranges::count_if(studio.collection.rows(), condition));
 }
 
 void draw_templates(Studio& studio, const FitTable& table) {
-  heading(studio, "Template");
-  Chips chips(studio);
+  Chips chips(studio, "Template");
   auto& hidden = studio.ui.shown.filter.hidden_templates;
   for (const TemplateRecord& record : table.templates) {
     const std::size_t count = count_rows(
@@ -73,8 +65,7 @@ void draw_templates(Studio& studio, const FitTable& table) {
 }
 
 void draw_statuses(Studio& studio) {
-  heading(studio, "Status");
-  Chips chips(studio);
+  Chips chips(studio, "Status");
   ShapeFilter& filter = studio.ui.shown.filter;
   constexpr std::array statuses{std::pair(FitStatus::learned, "learned from"),
                                 std::pair(FitStatus::fitted, "fitted"),
@@ -96,8 +87,7 @@ void draw_statuses(Studio& studio) {
 
 // Each condition turns from "has" to "lacks" and goes with the third click.
 void draw_parts(Studio& studio, const FitTable& table) {
-  heading(studio, "Parts");
-  Chips chips(studio);
+  Chips chips(studio, "Parts");
   auto& conditions = studio.ui.shown.filter.parts;
   std::optional<std::size_t> over;
   for (std::size_t i = 0; i < conditions.size(); ++i) {

@@ -83,9 +83,21 @@ void tell(Studio& studio, const ShapeRow& row) {
   studio.ui.selection.hovering = row.id;
 }
 
-// What else can be done with a shape, by commands that take its name.
-constexpr std::array shape_commands{"template-from-shape", "mark-outlier", "unmark-outlier",
-                                    "learn-from-shape", "strip-add"};
+// What else can be done with a shape; those that are there.
+constexpr std::array shape_commands{"show-inspect", "template-from-shape", "mark-outlier", "mark-learn",
+                                    "strip-add"};
+
+// Some take the name of a shape, and some are of the shape in view.
+void run_on_shape(Studio& studio, const Command& command, const ShapeRow& row) {
+  const std::string arguments[] = {row.name};
+  if (command.arguments.empty()) {
+    select_only(studio.ui.selection, {row.id});
+    show_shape(studio, row.id);
+    run_command(studio, command.name);
+  } else {
+    run_command(studio, command.name, arguments);
+  }
+}
 
 void draw_menu(Studio& studio, const ShapeRow& row) {
   if (ImGui::MenuItem("Open", "double click")) open_shape(studio, row.id);
@@ -104,15 +116,11 @@ void draw_menu(Studio& studio, const ShapeRow& row) {
   }
   mark_target(studio, "shape-menu:cluster");
   ImGui::Separator();
-  const std::string arguments[] = {row.name};
   for (const char* name : shape_commands) {
     const Command* command = find_command(studio, name);
     if (!command) continue;
-    const std::string reason = why_not(studio, *command);
-    if (ImGui::MenuItem(std::string(command->title).c_str(), nullptr, false, reason.empty()))
-      run_command(studio, name, arguments);
+    if (ImGui::MenuItem(std::string(command->title).c_str())) run_on_shape(studio, *command, row);
     mark_target(studio, std::string("shape-menu:") + name);
-    if (!reason.empty()) tooltip(("Not now: " + reason).c_str());
   }
 }
 
@@ -155,8 +163,13 @@ CellClick draw_shape_cell(Studio& studio, const ShapeRow& row, const ShapeCell& 
   ImGui::SetItemAllowOverlap();
   mark_target(studio, cell.target + ":" + row.name);
   const bool under_mouse = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenOverlapped);
+  // Also while the button over the picture is held down.
+  const bool offered =
+      cell.offers_template && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenOverlapped |
+                                                   ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   CellClick click = pressed ? click_kind() : CellClick::none;
-  if (under_mouse && ImGui::IsMouseDoubleClicked(0)) click = CellClick::open;
+  if (under_mouse && ImGui::IsMouseDoubleClicked(0) && click_kind() == CellClick::only)
+    click = CellClick::open;
   const bool hovered = under_mouse || studio.ui.selection.hovered == row.id;
   draw_frame_of(studio, row, low, high, hovered);
   draw_picture(studio, row, low, cell.size.x);
@@ -168,9 +181,9 @@ CellClick draw_shape_cell(Studio& studio, const ShapeRow& row, const ShapeCell& 
   } else if (under_mouse) {
     tell(studio, row);
   }
-  if (cell.offers_template && under_mouse && draw_template_button(studio, row, low, high)) {
-    const std::string arguments[] = {row.name};
-    run_command(studio, "template-from-shape", arguments);
+  if (offered && draw_template_button(studio, row, low, high)) {
+    if (const Command* command = find_command(studio, "template-from-shape"))
+      run_on_shape(studio, *command, row);
     click = CellClick::none;
   }
   ImGui::PopID();

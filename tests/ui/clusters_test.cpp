@@ -25,6 +25,7 @@ void open_fitted(TestWindow& window, std::size_t count) {
   window.make_template();
   run(window, "fit-all");
   run(window, "show-clusters");
+  run(window, "expand-clusters");
 }
 
 std::size_t cells(TestWindow& window) {
