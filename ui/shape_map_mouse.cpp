@@ -13,7 +13,7 @@ namespace {
 
 constexpr float click_reach = 4;  // screen units at scale 1, as in the viewport
 constexpr float dot_reach = 9;
-constexpr double zoom_per_notch = 1.2;
+constexpr double map_zoom_per_notch = 1.2;  // of the wheel
 
 bool inside(const std::vector<ImVec2>& outline, ImVec2 p) {
   bool in = false;
@@ -133,7 +133,7 @@ void follow_map_mouse(Studio& studio, const MadeMap& made, const MapSpace& space
   const bool hovered = ImGui::IsItemHovered();
   const bool active = ImGui::IsItemActive();
   if (hovered && io.MouseWheel != 0)
-    zoom_about(state, space, io.MousePos, std::pow(zoom_per_notch, io.MouseWheel));
+    zoom_about(state, space, io.MousePos, std::pow(map_zoom_per_notch, io.MouseWheel));
   const std::optional<std::size_t> under =
       hovered || active ? point_at(studio, made, space, pictured, side, io.MousePos) : std::nullopt;
   if (ImGui::IsItemActivated()) {

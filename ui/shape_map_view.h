@@ -16,8 +16,8 @@ void draw_map_tools(Studio& studio);
 // Targets: "map" for the whole of it, "map:NAME" for each shape that is drawn as a picture.
 void draw_map_view(Studio& studio);
 
-// Sliders for the parameters of a template's part; the boxes follow. Targets: "wish:0" to "wish:5", "wish:any:0"
-// …, "wish:reset".
+// Sliders for the parameters of a template's part; the boxes follow. Targets: "wish:0" to "wish:5",
+// "wish:any:0" …, "wish:reset".
 void draw_sliders(Studio& studio, const FitTable& table);
 // As many of the shapes nearest to the wishes as fit beside each other. Targets: "near:NAME".
 void draw_nearest(Studio& studio);
