@@ -41,7 +41,11 @@ void begin_shape_map(Studio& studio) {
     studio.shape_map.maker.cancel();
     studio.shape_map.asked = {};
   }
-  if (auto made = studio.shape_map.maker.poll()) studio.shape_map.newest = std::move(*made);
+  auto made = studio.shape_map.maker.poll();
+  if (!made) return;
+  // Another map is looked at as a whole first.
+  if (!studio.shape_map.newest || studio.shape_map.newest->of != (*made)->of) studio.ui.map.zoom = 0;
+  studio.shape_map.newest = std::move(*made);
 }
 
 }  // namespace archetype

@@ -76,6 +76,12 @@ void draw_into(PlotDrawing& out, const Plot& plot, const PlotSpace& space, PlotA
     draw_axes_plot(canvas, plot, area);
 }
 
+// Below it the names of columns, or of marks, would be cut or left out.
+float readable_width(const Plot& plot, float line) {
+  if (!plot.matrix) return 15 * line;
+  return (8 + 4.5f * static_cast<float>(std::min<std::size_t>(plot.matrix->columns.size(), 12))) * line;
+}
+
 float middle_distance(const HoverValue& value, float x, float y) {
   return std::hypot((value.low.x + value.high.x) / 2 - x, (value.low.y + value.high.y) / 2 - y);
 }
@@ -129,8 +135,9 @@ PlotDrawing draw_figure(const Figure& figure, const PlotSpace& space) {
   PlotDrawing out{space.width, space.height, {}, {}};
   if (figure.panels.empty()) return out;
   const float gap = 1.5f * space.line;
-  const auto fitting =
-      static_cast<std::size_t>(std::max(1.0f, (space.width + gap) / (15 * space.line + gap)));
+  float least = 0;
+  for (const Plot& panel : figure.panels) least = std::max(least, readable_width(panel, space.line));
+  const auto fitting = static_cast<std::size_t>(std::max(1.0f, (space.width + gap) / (least + gap)));
   const std::size_t columns =
       std::clamp<std::size_t>(figure.columns, 1, std::min(fitting, figure.panels.size()));
   const std::size_t rows = (figure.panels.size() + columns - 1) / columns;

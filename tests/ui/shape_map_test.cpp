@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 
 #include "tests/ui/made_project.h"
 #include "tests/ui/test_window.h"
@@ -198,10 +199,12 @@ TEST_CASE("Ten thousand shapes on the map are fluid, also while the mouse moves 
   MapWindow window(10'000);
   ImGui::GetIO().MousePos = {600, 300};
   const auto start = std::chrono::steady_clock::now();
+  const std::clock_t used = std::clock();
   constexpr int drawn = 20;
   for (int i = 0; i < drawn; ++i) window.move_by(2, 1);
   const double each =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() / drawn;
-  MESSAGE("a frame of the map of 10,000 shapes: ", each, " ms");
+  MESSAGE("a frame of the map of 10,000 shapes: ", each, " ms; of processors, OpenGL included: ",
+          1000.0 * static_cast<double>(std::clock() - used) / CLOCKS_PER_SEC / drawn, " ms");
   CHECK(each < 500);  // a bound for a busy machine: a quiet one takes a tenth of it
 }
