@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/io/png.h"
+#include "core/report/figure_files.h"
 #include "core/report/xml_text.h"
 
 namespace archetype {
@@ -78,6 +79,12 @@ std::string html_table(const std::vector<std::string>& head, const std::vector<s
 std::string html_picture(const Picture& picture, std::string_view alternative) {
   return "<img alt=\"" + xml_text(alternative) + "\" src=\"data:image/png;base64," +
          base64(encode_png(picture)) + "\">";
+}
+
+std::string html_figure(const Figure& figure) {
+  std::string svg = to_svg(figure, {.width = 720, .height = 380});
+  svg.erase(0, svg.find("<svg"));  // what stands before it belongs to a file of its own
+  return svg.insert(4, " class=\"plot\"") + "\n";
 }
 
 std::string html_swatch(const Rgb& colour) {

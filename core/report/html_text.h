@@ -7,6 +7,7 @@
 
 #include "core/base/picture.h"
 #include "core/model/part_colours.h"
+#include "core/report/plot.h"
 
 namespace archetype {
 
@@ -19,6 +20,8 @@ std::string html_paragraph(std::string_view text);
 std::string html_table(const std::vector<std::string>& head, const std::vector<std::vector<HtmlCell>>& rows);
 // The picture inside of the page, as it is: no file beside it is needed.
 std::string html_picture(const Picture& picture, std::string_view alternative);
+// A plot inside of the page.
+std::string html_figure(const Figure& figure);
 std::string html_swatch(const Rgb& colour);
 std::string fixed_text(double value, int decimals);  // "0.125"; "-" for what is not finite
 std::string percent_text(double share);              // "12.5 %"

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/io/json_input.h"
 #include "core/report/html_text.h"
+#include "core/report/plot_catalog.h"
 #include "core/report/report_pictures.h"
 #include "core/report/template_svg.h"
 #include "core/report/xml_text.h"
@@ -73,6 +74,12 @@ double energy_of(const FitSummary& fit) {
 
 std::string vector_text(const Vec3& v) {
   return fixed_text(v.x(), 2) + ", " + fixed_text(v.y(), 2) + ", " + fixed_text(v.z(), 2);
+}
+
+// "" where the sources have not what it needs.
+std::string figure(const char* name, const PlotSources& sources) {
+  const PlotEntry* entry = find_plot(name);
+  return entry && has_what_it_needs(*entry, sources) ? html_figure(make_figure(*entry, sources)) : "";
 }
 
 }  // namespace
@@ -191,6 +198,9 @@ std::string accuracy_section(const LabellingEvaluation& evaluation) {
   std::vector<std::vector<HtmlCell>> rows;
   for (std::size_t i = 0; i < shapes.size() && i < most_worst; ++i)
     rows.push_back(row(xml_text(shapes[i].name), shapes[i]));
+  PlotSources sources;
+  sources.labelling = &evaluation;
+  section += figure("accuracy-by-label", sources) + figure("confusion", sources);
   section += "<h3>Worst shapes</h3>\n" + html_table(head, rows);
   rows.clear();
   const auto label_text = [&](int label) {
@@ -225,7 +235,10 @@ std::string learning_section(const ReportContent& content) {
   for (const LearningStep& step : learning.steps)
     rows.push_back({std::to_string(step.iteration), std::to_string(step.templates.size()),
                     fixed_text(step.energy_before, 4), fixed_text(step.energy, 4)});
-  return section + html_table({"#round", "#templates", "#energy before", "#energy after"}, rows);
+  section += html_table({"#round", "#templates", "#energy before", "#energy after"}, rows);
+  PlotSources sources;
+  sources.learning = &learning;
+  return section + figure("learning-energy", sources) + figure("learning-templates", sources);
 }
 
 std::string settings_section(const ReportContent& content) {

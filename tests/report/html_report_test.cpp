@@ -95,6 +95,7 @@ TEST_CASE("the report shows shapes, templates, clusters, worst fits, accuracy an
   CHECK(page.find("<h1>Chairs of May</h1>") != std::string::npos);
   CHECK(page.find("Outliers (1)") != std::string::npos);
   CHECK(count_of(page, "data:image/png;base64,") == 10);
+  CHECK(count_of(page, "<svg class=\"plot\"") == 2);  // accuracy by label, and confusion
   CHECK(page.find("mean over 5 shapes") != std::string::npos);
   CHECK(page.find(ARCHETYPE_VERSION) != std::string::npos);
   // Nothing is loaded from anywhere.

@@ -146,9 +146,9 @@ TEST_CASE("What was edited is there again when the folder is opened again") {
     window.frames();
   }
   window.settle();
-  remove_active_template(window.studio().history);
   open_folder(window.studio(), window.scratch().path() / "chairs" / "shapes");
   window.settle();
+  CHECK_FALSE(window.studio().history.can_undo());  // it was opened anew
   CHECK(window.studio().history.current() == made);
 }
 
@@ -240,7 +240,7 @@ TEST_CASE("A colour that a part is given by hand is seen in the pictures of the 
   const ShapeId shape = studio.collection.rows()[0].id;
   const WantedThumbnail wanted = wanted_thumbnail(studio.collection.rows()[0]);
   REQUIRE(wanted.fitted);
-  const Picture kept = Project::open(studio.collection.path).thumbnail(shape, "parts").value();
+  const Picture kept = Project::open(studio.collection.path).thumbnail(shape, std::string(parts_thumbnail)).value();
   ThumbnailWorker worker(studio.options.shaders, {});
   const auto made = [&](const WantedThumbnail& one) {
     worker.want(studio.collection.path, {one});
@@ -257,7 +257,7 @@ TEST_CASE("A colour that a part is given by hand is seen in the pictures of the 
   CHECK(picture.width == kept.width);
   CHECK(picture != kept);
   // It is not kept in the place of the other one; and colours of other templates are none of this one.
-  CHECK(Project::open(studio.collection.path).thumbnail(shape, "parts").value() == kept);
+  CHECK(Project::open(studio.collection.path).thumbnail(shape, std::string(parts_thumbnail)).value() == kept);
   coloured.colours = std::make_shared<const HandColours>(HandColours{{"table", {6, -1, -1}}});
   CHECK(made(coloured) == kept);
   const std::uint32_t before = studio.thumbnails.use(wanted);

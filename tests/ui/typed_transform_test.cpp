@@ -179,7 +179,7 @@ TEST_CASE("a face that is resized snaps, and the other side stays") {
 }
 
 TEST_CASE("a corner snaps with the face that is nearest to a plane, in proportion") {
-  const std::vector<SnapPlane> planes{{0, 1, "a", false}, {1, 0.62, "b", false}};
+  const std::vector<SnapPlane> planes{{0, 1, "a", false}, {1, 0.61, "b", false}};
   const Box start{{0.3, 0, 0}, {0.5, 0.5, 0.25}};
   Box box{{0.38, 0.08, 0.04}, {0.58, 0.58, 0.29}};  // dragged out to 0.96, 0.66, 0.33
   const BoxDrag drag{{HandleKind::resize, 0, {1, 1, 1}}, start, {}};
