@@ -118,6 +118,7 @@ void show_beside(Studio& studio, Arguments arguments) {
   for (const ShapeRow& row : studio.collection.rows()) {
     if (row.name != name) continue;
     if (row.id == studio.ui.shape) throw Error("it is the shape in view");
+    if (!studio.ui.inspect.beside) studio.inspection.framed = false;  // there is half the room now
     studio.ui.inspect.beside = row.id;
     return;
   }
@@ -130,6 +131,7 @@ void previous_beside(Studio& studio, Arguments) {
 
 void show_alone(Studio& studio, Arguments) {
   studio.ui.inspect.beside.reset();
+  studio.inspection.framed = false;
 }
 
 std::string needs_beside(const Studio& studio) {

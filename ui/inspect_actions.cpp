@@ -78,6 +78,7 @@ void step_beside(Studio& studio, int step) {
   for (std::size_t tried = 0; tried < count; ++tried) {
     at = (at + count + static_cast<std::size_t>(step + static_cast<int>(count))) % count;
     if (at == own || !same_cluster(at)) continue;
+    if (!beside) studio.inspection.framed = false;  // there is half the room now
     beside = rows[at].id;
     return;
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <glm/common.hpp>
 
 #include "render/convert.h"
 #include "render/picking.h"
@@ -194,8 +195,16 @@ void frame_shapes(Studio& studio, const PlacedSide& placed) {
     look_from(inspection.camera, presets[static_cast<std::size_t>(*view)]);
   }
   if (inspection.framed && !wanted && view != CameraView::home) return;
+  // Until all is there that will be shown it is framed anew.
   inspection.framed = true;
-  const auto extent = inspect_extent(content_of(studio, 0));
+  auto extent = inspect_extent(content_of(studio, 0));
+  for (std::size_t side = 0; side < (studio.ui.inspect.beside ? 2 : 1); ++side) {
+    const std::shared_ptr<const InspectedShape>& shape = inspection.side(side).shape;
+    inspection.framed = inspection.framed && shape && (!shape->fit || content_of(studio, side).look);
+    if (!shape) continue;
+    const auto other = inspect_extent(content_of(studio, side));
+    extent = {glm::min(extent.first, other.first), glm::max(extent.second, other.second)};
+  }
   frame(inspection.camera, placed.viewport(), extent.first, extent.second);
 }
 
