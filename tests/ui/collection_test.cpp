@@ -240,7 +240,8 @@ TEST_CASE("A colour that a part is given by hand is seen in the pictures of the 
   const ShapeId shape = studio.collection.rows()[0].id;
   const WantedThumbnail wanted = wanted_thumbnail(studio.collection.rows()[0]);
   REQUIRE(wanted.fitted);
-  const Picture kept = Project::open(studio.collection.path).thumbnail(shape, std::string(parts_thumbnail)).value();
+  const Picture kept =
+      Project::open(studio.collection.path).thumbnail(shape, std::string(parts_thumbnail)).value();
   ThumbnailWorker worker(studio.options.shaders, {});
   const auto made = [&](const WantedThumbnail& one) {
     worker.want(studio.collection.path, {one});
