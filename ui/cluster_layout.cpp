@@ -68,8 +68,7 @@ ClusterLayout lay_out_clusters(const ClusterMeasures& measures, std::span<const 
     section.top = top;
     section.card_height = cards[i];
     const std::size_t all = lines_of(clusters[i].shown.size(), layout.columns);
-    const float beside = std::max(cards[i] - measures.more_height, layout.line_height);
-    const auto few = static_cast<std::size_t>((beside + measures.gap) / layout.line_height);
+    const auto few = static_cast<std::size_t>(std::max(1L, std::lround(cards[i] / layout.line_height)));
     section.lines = expanded[i] ? all : std::min(all, few);
     section.cut = section.lines < all;
     section.button = section.cut || (expanded[i] && all > few);

@@ -27,7 +27,7 @@ struct ClusterSection {
   float card_height = 0;
   std::size_t lines = 0;  // that are laid out
   bool cut = false;       // more members are there than the lines hold
-  bool button = false;    // to lay out all of them, or as many as stand beside the card
+  bool button = false;    // to lay out all of them, or about as many as stand beside the card
 };
 
 struct ClusterLayout {
@@ -48,7 +48,7 @@ struct ClusterLayout {
 };
 
 // `cards` and `expanded` hold one entry per cluster: the height of its card, and whether all members are laid
-// out rather than as many lines as stand beside the card.
+// out rather than about as many lines as stand beside the card.
 ClusterLayout lay_out_clusters(const ClusterMeasures& measures, std::span<const ShapeCluster> clusters,
                                std::span<const float> cards, const std::vector<bool>& expanded);
 
