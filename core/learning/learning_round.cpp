@@ -19,7 +19,7 @@ namespace {
 // A round that gains less than this is none.
 constexpr double smallest_gain = 1e-3;
 // That a division costs for each member, about: for the progress.
-constexpr std::size_t fits_of_division = 25;
+constexpr std::size_t fits_of_division = 30;
 
 // What a shape says of the template that it takes.
 struct Taken {

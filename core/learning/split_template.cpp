@@ -186,33 +186,28 @@ class Division {
     return taken >= least && to_child_.size() - taken >= least;
   }
 
-  // Fits the child as it was proposed, beside the parent as it is. False if cancelled.
-  bool begin(const FitOptions& fit_options, unsigned threads, const JobControl& control) {
-    auto by_child = sightings(child_.part_template, members_->shapes, fit_options, threads, control);
-    if (!by_child) return false;
-    by_child_ = std::move(*by_child);
-    choose();
-    return true;
-  }
-
-  // Estimates both anew from the shapes that take them, and fits them. False if cancelled.
+  // Estimates both anew from the shapes that take them, and lets every shape take the better one. The child
+  // of a proposal is taken as it is at first. False if cancelled. (Proposals compared by their child alone,
+  // beside the parent as it is, take a sixth less time, but part lamps in 1 of 6 seeds rather than 10 of 20.)
   bool advance(const FitOptions& fit_options, const LearnOptions& options, unsigned threads,
                const JobControl& control) {
     Observed of_parent;
     Observed of_child;
     for (std::size_t i = 0; i < to_child_.size(); ++i) {
-      if (to_child_[i]) {
-        of_child.push_back(by_child_[i].parts);
-      } else {
-        of_parent.push_back(by_parent_[i].parts);
-      }
+      if (!to_child_[i]) of_parent.push_back(by_parent_[i].parts);
+      if (to_child_[i] && !by_child_.empty()) of_child.push_back(by_child_[i].parts);
     }
     parent_.part_template = reestimate(parent_.initial, of_parent, options);
-    child_.part_template = reestimate(child_.initial, of_child, options);
+    if (!of_child.empty()) child_.part_template = reestimate(child_.initial, of_child, options);
     auto by_parent = sightings(parent_.part_template, members_->shapes, fit_options, threads, control);
     if (!by_parent) return false;
+    auto by_child = sightings(child_.part_template, members_->shapes, fit_options, threads, control);
+    if (!by_child) return false;
     by_parent_ = std::move(*by_parent);
-    return begin(fit_options, threads, control);
+    by_child_ = std::move(*by_child);
+    for (std::size_t i = 0; i < to_child_.size(); ++i)
+      to_child_[i] = by_child_[i].choice < by_parent_[i].choice;
+    return true;
   }
 
   // `without`: the gain of no division.
@@ -232,17 +227,12 @@ class Division {
   }
 
  private:
-  void choose() {
-    for (std::size_t i = 0; i < to_child_.size(); ++i)
-      to_child_[i] = by_child_[i].choice < by_parent_[i].choice;
-  }
-
   LearnedTemplate parent_;
   LearnedTemplate child_;
   const TemplateMembers* members_;
   std::vector<bool> to_child_;
   std::vector<Sighting> by_parent_;
-  std::vector<Sighting> by_child_;  // empty before begin()
+  std::vector<Sighting> by_child_;  // empty before the first advance()
 };
 
 // By which the choice energies of the judging members fall where the parent is estimated anew from all of
@@ -274,13 +264,13 @@ bool split_template(const LearnedTemplate& parent, const TemplateMembers& member
   std::vector<Division> started;
   for (SplitProposal& proposal : split_proposals(parent, members, options)) {
     Division division(parent, std::move(proposal), members);
-    if (!division.begin(fit_options, threads, control)) return false;
+    if (!division.advance(fit_options, options, threads, control)) return false;
     if (division.balanced(options.smallest_learning_set)) started.push_back(std::move(division));
   }
   std::ranges::stable_sort(started, std::greater<>{}, &Division::gain);
   if (started.size() > followed) started.erase(started.begin() + followed, started.end());
   for (Division& division : started) {
-    for (int step = 0; step < divisions && division.balanced(options.smallest_learning_set); ++step) {
+    for (int step = 1; step < divisions && division.balanced(options.smallest_learning_set); ++step) {
       if (!division.advance(fit_options, options, threads, control)) return false;
     }
     if (!division.balanced(options.smallest_cluster)) continue;

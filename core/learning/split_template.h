@@ -58,7 +58,7 @@ std::vector<SplitProposal> split_proposals(const LearnedTemplate& parent, const 
 // the template with the least choice energy, and both are estimated anew from those that take them. What was
 // learned before is what is known then. Nothing in `split` if no proposal keeps options.smallest_cluster
 // shapes on both sides. The child has the parent's name and parts, those that none of its shapes has with a
-// small existence. False if cancelled. About proposals + 13 fits a member. Differs from the paper, whose
+// small existence. False if cancelled. About 2 x (proposals + 4) fits a member. Differs from the paper, whose
 // spawned template is what its cluster says once, and may lose parts: a vase with handles then takes the
 // template of those without.
 bool split_template(const LearnedTemplate& parent, const TemplateMembers& members,
