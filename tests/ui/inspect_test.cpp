@@ -59,11 +59,13 @@ TEST_CASE("The view of a single fit says what to do while there is nothing to in
   window.frames(3);
   CHECK_FALSE(window.has("inspect:shape"));
   window.open_chairs(1);
+  window.settle();
   CHECK(window.has("inspect:shape"));  // as it stands: it was not fitted yet
   CHECK_FALSE(window.studio().inspection.main.look);
   window.click("command:show-shape");
   CHECK(window.has("viewport"));
   window.click("command:show-inspect");
+  window.settle();
   CHECK(window.has("inspect:shape"));
 }
 
