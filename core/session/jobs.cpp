@@ -63,7 +63,9 @@ struct Jobs::Running {
 
   std::jthread thread;  // last: it is joined before the rest goes
 
-  JobView view() {
+  // What has ended is still shown as running until its result is applied: nobody sees a gap between the two
+  // in which it is neither under way nor done.
+  JobView view(bool applied = false) {
     JobView view;
     view.id = id;
     view.title = title;
@@ -77,10 +79,11 @@ struct Jobs::Running {
       view.seconds = clock.seconds();
       view.seconds_left = estimate_seconds_left(view.seconds - step_start, done, total);
     }
-    view.error = over ? error : "";
+    view.error = applied ? error : "";
     const bool stopping = stop.stop_requested();
-    if (!over)
-      view.state = stopping ? JobState::stopping : gate->closed() ? JobState::paused : JobState::running;
+    const bool paused = !over && gate->closed();
+    if (!applied)
+      view.state = stopping ? JobState::stopping : paused ? JobState::paused : JobState::running;
     else
       view.state = failed ? JobState::failed : stopping ? JobState::cancelled : JobState::done;
     return view;
@@ -197,7 +200,7 @@ std::vector<JobView> Jobs::poll() {
   std::vector<JobView> views;
   for (const auto& job : over) {
     job->thread.join();
-    JobView view = job->view();
+    JobView view = job->view(true);
     view.seconds_left.reset();
     if (job->apply) {
       try {

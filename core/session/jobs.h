@@ -68,7 +68,8 @@ class Jobs {
 
   bool idle() const { return running_.empty(); }
   bool resting() const;  // all that have not ended are paused
-  // Running jobs in the order of their start, then the last ended ones, newest first.
+  // Running jobs in the order of their start, then the last ended ones, newest first. A job counts as running
+  // until poll() has applied its result.
   std::vector<JobView> view() const;
 
  private:

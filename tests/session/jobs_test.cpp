@@ -72,6 +72,20 @@ TEST_CASE("A result is applied once, on the thread that polls") {
   CHECK(applied_on == std::this_thread::get_id());
 }
 
+TEST_CASE("What has ended is under way until its result is applied") {
+  std::atomic<bool> ended = false;
+  Jobs jobs([&] { ended = true; });
+  bool applied = false;
+  jobs.start("Save", [&](const JobControl&) -> Jobs::Apply { return [&] { applied = true; }; });
+  for (int i = 0; i < 2000 && !ended; ++i) std::this_thread::sleep_for(1ms);
+  REQUIRE(ended);
+  CHECK(jobs.view()[0].active());
+  CHECK_FALSE(jobs.resting());
+  jobs.poll();
+  CHECK(applied);
+  CHECK(jobs.view()[0].state == JobState::done);
+}
+
 TEST_CASE("Several jobs run at once and one can be cancelled") {
   Jobs jobs;
   const JobId first = jobs.start("First", wait_for_stop);
