@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <mutex>
+
 #include "core/fitting/fit_template.h"
 #include "tests/support/made_shapes.h"
 #include "tests/support/small_collection.h"
@@ -61,6 +64,50 @@ TEST_CASE("benches part from chairs, with the same bytes for any number of threa
   const auto alone = learn(chair_template(), shapes, 1);
   REQUIRE(alone.size() == learned.size());
   for (std::size_t t = 0; t < alone.size(); ++t) CHECK(alone[t].part_template == learned[t].part_template);
+}
+
+TEST_CASE("a division that gained too little is not tried again for about the same shapes") {
+  std::vector<ShapeSamples> shapes;
+  add_chairs(shapes, "plain", 10, points);
+  LearnOptions options;
+  options.smallest_learning_set = 100;  // so that no round re-estimates, and each could divide
+  std::size_t fits = 0;
+  const auto round = [&](const LearnedTemplate& start) {
+    const JobControl counting{{}, [&](std::size_t done, std::size_t, std::string_view) { fits = done; }};
+    return *learning_round(std::span(&start, 1), shapes, {}, {}, options, 1, counting);
+  };
+  const LearningRound first = round({chair_template(), chair_template()});
+  REQUIRE(first.templates.size() == 1);
+  LearnedTemplate again = first.templates[0];
+  CHECK(again.undivided == std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
+  const std::size_t with_division = fits;
+  CHECK(round(again).energy == first.energy);
+  CHECK(fits == 2 * shapes.size());  // to agree on the yaws, and with these
+  CHECK(fits < with_division);
+  again.undivided = {0, 1, 2};
+  CHECK(round(again).templates[0].undivided.size() == 10);
+  CHECK(fits == with_division);
+}
+
+TEST_CASE("progress counts the fits, of no more than it says, and comes near to the end") {
+  std::vector<ShapeSamples> shapes;
+  add_chairs(shapes, "plain", 4, points);
+  add_chairs(shapes, "bench", 4, points);
+  std::size_t last = 0;
+  std::size_t total = 0;
+  bool rising = true;
+  std::mutex mutex;
+  const JobControl watching{{}, [&](std::size_t done, std::size_t of, std::string_view) {
+                              const std::lock_guard lock(mutex);
+                              rising = rising && done <= of;
+                              last = std::max(last, done);
+                              total = of;
+                            }};
+  const LearnedTemplate start{chair_template(), chair_template()};
+  REQUIRE(learning_round(std::span(&start, 1), shapes, {}, {}, {}, 2, watching));
+  CHECK(rising);
+  CHECK(last >= 3 * shapes.size());  // to agree on the yaws, with these, and with what is re-estimated
+  CHECK(2 * last > total);
 }
 
 TEST_CASE("a cancelled round gives nothing") {
