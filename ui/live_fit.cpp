@@ -52,6 +52,16 @@ std::optional<ShapeFit> fit_at_any_yaw(const PartTemplate& part_template, const 
 
 }  // namespace
 
+std::shared_ptr<const PartTemplate> ExpectedFeatures::of(
+    const std::shared_ptr<const PartTemplate>& part_template) {
+  const std::lock_guard lock(mutex_);
+  if (asked_ != part_template) {
+    made_ = std::make_shared<const PartTemplate>(with_expected_features(*part_template));
+    asked_ = part_template;
+  }
+  return made_;
+}
+
 const LabellingGraph& LiveFitter::graph(const LiveFitRequest& request) {
   if (graph_samples_ != request.samples) {
     graph_ = make_point_graph(*request.samples, request.options);
@@ -81,7 +91,8 @@ std::optional<LiveFitResult> LiveFitter::run(const LiveFitRequest& request, cons
   try {
     const Clock::time_point start = Clock::now();
     // A third of what following a fit takes: once for all that asks for it.
-    const PartTemplate part_template = with_expected_features(*request.part_template);
+    const std::shared_ptr<const PartTemplate> expecting = expected_->of(request.part_template);
+    const PartTemplate& part_template = *expecting;
     std::optional<ShapeFit> fit =
         can_go_on(request) ? follow_template(part_template, *request.samples, graph(request),
                                              request.start->fit, request.options, control, request.pinned)
@@ -92,9 +103,11 @@ std::optional<LiveFitResult> LiveFitter::run(const LiveFitRequest& request, cons
 
     const Clock::time_point labelling = Clock::now();
     ViewFit view{request.part_template, std::move(*fit), {}, {}, {}};
-    view.sample_costs = sample_costs(part_template, *request.samples, view.fit, request.options);
+    if (request.costs)
+      view.sample_costs = sample_costs(part_template, *request.samples, view.fit, request.options);
     if (request.mesh) view.element_labels = label(request, view.fit, control);
-    if (labeller_ && request.mesh) view.element_costs = labeller_->interpolate(view.sample_costs);
+    if (request.costs && labeller_ && request.mesh)
+      view.element_costs = labeller_->interpolate(view.sample_costs);
     result.label_milliseconds = milliseconds_since(labelling);
     result.fit = std::make_shared<const ViewFit>(std::move(view));
   } catch (const std::exception& error) {

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <utility>
 
 #include "core/evaluation/label_elements.h"
 #include "core/fitting/alpha_expansion.h"
@@ -23,6 +25,7 @@ struct LiveFitRequest {
   std::shared_ptr<const ViewFit> start;     // of the same shape: fitted on from there while a drag goes on
   bool keep_yaw = false;                    // boxes were made on the shape as it is shown: it stands right
   bool dragging = false;                    // false: all yaws are tried anew
+  bool costs = true;                        // what each sample and element costs is wanted, too
   FitOptions options;
   std::vector<PinnedLabel> pinned;      // of the template
   std::uint64_t document_revision = 0;  // history.revision() of the template
@@ -38,9 +41,23 @@ struct LiveFitResult {
   double label_milliseconds = 0;
 };
 
+// Templates with the features that their boxes let expect (see template_surface.h). The newest is kept: the
+// fit in view and the strip ask for the same one, each on a thread of its own. Thread-safe.
+class ExpectedFeatures {
+ public:
+  std::shared_ptr<const PartTemplate> of(const std::shared_ptr<const PartTemplate>& part_template);
+
+ private:
+  std::mutex mutex_;  // held while it is made: who asks meanwhile waits for it
+  std::shared_ptr<const PartTemplate> asked_;
+  std::shared_ptr<const PartTemplate> made_;
+};
+
 // What the worker runs. Keeps what does not change from one fit of the shape to the next.
 class LiveFitter {
  public:
+  explicit LiveFitter(std::shared_ptr<ExpectedFeatures> expected = std::make_shared<ExpectedFeatures>())
+      : expected_(std::move(expected)) {}
   // Nothing when cancelled.
   std::optional<LiveFitResult> run(const LiveFitRequest& request, const JobControl& control);
 
@@ -50,6 +67,7 @@ class LiveFitter {
 
   const LabellingGraph& graph(const LiveFitRequest& request);
 
+  std::shared_ptr<ExpectedFeatures> expected_;
   std::shared_ptr<const ShapeSamples> graph_samples_;  // of the graph
   LabellingGraph graph_;
   std::shared_ptr<const PolygonMesh> mesh_;  // of the labeller, as are the samples
@@ -60,8 +78,8 @@ class LiveFitter {
 using LiveFitWorker = LatestWorker<LiveFitRequest, LiveFitResult>;
 
 struct LiveFit {
-  explicit LiveFit(std::function<void()> wake)
-      : worker([fitter = std::make_shared<LiveFitter>()](
+  LiveFit(std::shared_ptr<ExpectedFeatures> expected, std::function<void()> wake)
+      : worker([fitter = std::make_shared<LiveFitter>(std::move(expected))](
                    const LiveFitRequest& request,
                    const JobControl& control) { return fitter->run(request, control); },
                std::move(wake)) {}

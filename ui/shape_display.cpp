@@ -20,7 +20,7 @@ std::optional<ShapeDisplay> make_shape_display(const ShapeDisplayRequest& reques
 }
 
 std::optional<CoarseMesh> make_coarse_mesh(const ShapeDisplayRequest& request, const JobControl& control) {
-  const auto decimated = decimate(*request.mesh, most_moving_triangles / 2, control);
+  const auto decimated = decimate(*request.mesh, request.most_moving / 2, control);
   if (!decimated) return std::nullopt;
   MeshGeometry geometry = make_mesh_geometry(decimated->mesh, request.frame);
   for (std::uint32_t& face : geometry.faces) face = decimated->faces[face];

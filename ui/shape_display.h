@@ -20,24 +20,27 @@ struct ShapeDisplay {
   std::uint64_t shape_revision = 0;            // of the ShapeInView that it was made of; 0: nothing yet
 };
 
+// Meshes of more triangles than this are drawn coarser while something moves: by a graphics card, and by the
+// processor, where 17,000 triangles took a third of a frame.
+inline constexpr std::size_t most_moving_triangles = 100'000;
+inline constexpr std::size_t most_moving_in_software = 12'000;
+
 struct ShapeDisplayRequest {
   std::shared_ptr<const PolygonMesh> mesh;
   std::shared_ptr<const ShapeSamples> samples;
   ShapeFrame frame;
   std::uint64_t shape_revision = 0;
+  std::size_t most_moving = most_moving_triangles;
 };
 
 // What the workers run; nothing when cancelled.
 std::optional<ShapeDisplay> make_shape_display(const ShapeDisplayRequest& request, const JobControl& control);
 
-// Meshes of more triangles than this are drawn coarser while something moves.
-inline constexpr std::size_t most_moving_triangles = 100'000;
-
 struct CoarseMesh {
   std::shared_ptr<const MeshGeometry> mesh;  // its faces are those of the file: the same colours fit
   std::uint64_t shape_revision = 0;
 };
-// Seconds for half a million triangles.
+// Of half as many triangles as may move. Seconds for half a million triangles.
 std::optional<CoarseMesh> make_coarse_mesh(const ShapeDisplayRequest& request, const JobControl& control);
 
 using CoarseMeshWorker = LatestWorker<ShapeDisplayRequest, CoarseMesh>;

@@ -45,9 +45,9 @@ using StripFitter = LatestWorker<StripFitRequest, StripFitResult>;
 
 // Needs the window's OpenGL context when it dies.
 struct ShapeStrip {
-  explicit ShapeStrip(const std::function<void()>& wake)
+  ShapeStrip(std::shared_ptr<ExpectedFeatures> expected, const std::function<void()>& wake)
       : loader(load_strip_shape, wake),
-        fitter([fitters = std::make_shared<StripFitters>()](
+        fitter([fitters = std::make_shared<StripFitters>(std::move(expected))](
                    const StripFitRequest& request,
                    const JobControl& control) { return fitters->run(request, control); },
                wake) {}

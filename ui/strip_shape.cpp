@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/base/parallel.h"
-#include "core/fitting/template_surface.h"
 #include "core/geometry/decimate.h"
 #include "core/geometry/kd_tree.h"
 #include "render/convert.h"
@@ -126,8 +125,7 @@ std::optional<StripFitResult> StripFitters::run(const StripFitRequest& request, 
   result.document_revision = request.document_revision;
   result.fits.resize(count);
   std::vector<std::string> problems(count);
-  // A third of what a fit takes, and the same for all.
-  const auto expecting = std::make_shared<const PartTemplate>(with_expected_features(*request.part_template));
+  const std::shared_ptr<const PartTemplate> expecting = expected_->of(request.part_template);
   std::map<ShapeId, LiveFitter> fitters;  // without those of shapes that are no longer there
   for (const auto& shape : request.shapes) fitters[shape->id] = std::move(fitters_[shape->id]);
   fitters_ = std::move(fitters);
@@ -139,6 +137,7 @@ std::optional<StripFitResult> StripFitters::run(const StripFitRequest& request, 
       one.start = std::shared_ptr<const ViewFit>(request.starts[i], &request.starts[i]->view);
     one.keep_yaw = request.keep_yaw;
     one.dragging = request.dragging;
+    one.costs = false;  // a tile does not show them
     const std::optional<LiveFitResult> fitted = fitters_.at(request.shapes[i]->id).run(one, control);
     if (!fitted) return;
     problems[i] = fitted->problem;

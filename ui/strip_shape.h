@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/job_control.h"
@@ -66,10 +67,12 @@ struct StripFitResult {
 // What a worker runs. Keeps what does not change from one fit of a shape to the next.
 class StripFitters {
  public:
+  explicit StripFitters(std::shared_ptr<ExpectedFeatures> expected) : expected_(std::move(expected)) {}
   // Fits all shapes, on all threads. Nothing when cancelled.
   std::optional<StripFitResult> run(const StripFitRequest& request, const JobControl& control);
 
  private:
+  std::shared_ptr<ExpectedFeatures> expected_;
   std::map<ShapeId, LiveFitter> fitters_;
 };
 

@@ -76,6 +76,8 @@ void ask_for_fit(Studio& studio) {
   request.start = studio.shape.fit;
   request.keep_yaw = !look && stands_as_shown(studio);
   request.dragging = studio.history.has_preview();
+  // While something is dragged only what is seen is computed; at rest all, since the heat map may be next.
+  request.costs = !request.dragging || studio.ui.view.colour == SurfaceColour::cost;
   request.document_revision = revision;
   request.shape_revision = studio.shape.shape_revision;
   const ShapeCorrection* correction =
@@ -170,8 +172,8 @@ Studio::Studio(StudioOptions given)
       shape_map(options.wake),
       autosave(options.wake),
       directory_reader(list_directory, options.wake),
-      live_fit(options.wake),
-      strip(options.wake),
+      live_fit(expected_features, options.wake),
+      strip(expected_features, options.wake),
       inspection(options.wake),
       region_worker(find_surface_regions, options.wake),
       thumbnails(options.shaders, options.wake),

@@ -106,6 +106,7 @@ struct Studio {
   ShapeMapStore shape_map;
   Autosave autosave;
   DirectoryReader directory_reader;
+  std::shared_ptr<ExpectedFeatures> expected_features = std::make_shared<ExpectedFeatures>();
   LiveFit live_fit;
   ShapeStrip strip;
   Inspection inspection;

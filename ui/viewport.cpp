@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/gl/draw.h"
 #include "ui/camera_mouse.h"
 #include "ui/edit_overlay.h"
 #include "ui/heat_map.h"
@@ -28,7 +29,7 @@ constexpr int fine = 2;  // supersampling of a picture that stands still
 void take_over_shape(Studio& studio) {
   ViewportState& state = studio.viewport;
   const ShapeInView& shape = studio.shape;
-  ShapeDisplayRequest request{shape.mesh, shape.samples, {}, shape.shape_revision};
+  ShapeDisplayRequest request{shape.mesh, shape.samples, {}, shape.shape_revision, state.most_moving};
   if (shape.record) request.frame = shape.record->frame;
   if (state.asked_display != shape.shape_revision) {
     state.asked_display = shape.shape_revision;
@@ -39,7 +40,7 @@ void take_over_shape(Studio& studio) {
   if (!shape.record) state.display = {};
   if (auto made = state.worker.poll(); made && made->shape_revision == shape.shape_revision) {
     state.display = std::move(*made);
-    if (state.display.mesh && state.display.mesh->triangle_count() > most_moving_triangles)
+    if (state.display.mesh && state.display.mesh->triangle_count() > state.most_moving)
       state.coarse_worker.request(request, true);
   }
   if (const std::string problem = state.worker.take_problem(); !problem.empty()) {
@@ -72,8 +73,10 @@ void take_over_average(Studio& studio) {
   state.average_worker.request({studio.collection.path, revision}, true);
 }
 
-bool moving(const ViewportState& state) {
-  return state.flying() || (state.action != MouseAction::none && state.action != MouseAction::click);
+bool moving(const Studio& studio) {
+  const ViewportState& state = studio.viewport;
+  return studio.drag || state.flying() ||
+         (state.action != MouseAction::none && state.action != MouseAction::click);
 }
 
 ViewportContent content_of(const Studio& studio) {
@@ -91,7 +94,7 @@ ViewportContent content_of(const Studio& studio) {
     content.also_selected = studio.ui.also_selected;
   }
   content.hovered = state.hovered;
-  content.moving = moving(state);
+  content.moving = moving(studio);
   content.backdrop = studio.theme == Theme::light ? Backdrop::light : Backdrop::dark;
   return content;
 }
@@ -116,7 +119,7 @@ void draw_picture(Studio& studio, const Scene& scene, const PlacedPane& placed) 
               1, pixels * studio.fonts.scale};
   key.view = studio.ui.view;
   key.backdrop = scene.backdrop;
-  key.coarse = moving(state) && state.display.coarse;
+  key.coarse = moving(studio) && state.display.coarse;
   key.document_revision = studio.history.revision();
   if (studio.ui.look) key.looked_at = studio.ui.look->part_template;
   key.compared = compared_template(studio);
@@ -214,6 +217,7 @@ void draw_pane(Studio& studio, const PlacedPane& placed) {
 
 ViewportState::ViewportState(const std::filesystem::path& shaders, std::function<void()> wake)
     : renderer(shaders),
+      most_moving(gl::in_software() ? most_moving_in_software : most_moving_triangles),
       worker(make_shape_display, wake),
       coarse_worker(make_coarse_mesh, wake),
       average_worker(make_average_shape, std::move(wake)) {}

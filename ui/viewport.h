@@ -60,6 +60,7 @@ struct ViewportState {
   std::optional<std::uint64_t> asked_average;  // revision of the collection of the newest request
 
   Renderer renderer;
+  std::size_t most_moving;  // triangles, see shape_display.h
 
   ShapeDisplayWorker worker;
   CoarseMeshWorker coarse_worker;

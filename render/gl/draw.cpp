@@ -3,8 +3,11 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+#include <array>
 #include <glm/vec4.hpp>
 #include <string>
+#include <string_view>
 
 #include "core/base/error.h"
 
@@ -36,6 +39,14 @@ void clear(const glm::vec4& colour) {
   apply({});
   glClearColor(colour.r, colour.g, colour.b, colour.a);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+bool in_software() {
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  constexpr std::array rasterizers{"llvmpipe", "softpipe", "swrast", "SWR"};
+  return name && std::ranges::any_of(rasterizers, [&](const char* each) {
+           return std::string_view(name).find(each) != std::string_view::npos;
+         });
 }
 
 void finish() {

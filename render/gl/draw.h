@@ -26,6 +26,9 @@ void draw_points(const VertexArray& vertices, std::size_t first, std::size_t ver
 // A triangle strip of four corners for each instance.
 void draw_quads(const VertexArray& vertices, std::size_t instance_count);
 
+// Whether the processor draws, for want of a graphics card: then less has to do while something moves.
+bool in_software();
+
 // Returns when all that was asked for has been drawn.
 void finish();
 
