@@ -1,10 +1,12 @@
 #include "app/studio/run_studio.h"
 
 #include <cstdio>
+#include <functional>
 #include <optional>
 #include <thread>
 
 #include "app/studio/desktop_window.h"
+#include "app/studio/kept_settings.h"
 #include "app/studio/resources.h"
 #include "core/base/error.h"
 #include "core/io/file.h"
@@ -119,11 +121,12 @@ int exit_status(const Studio& studio, bool unattended) {
 }
 
 template <typename Window>
-void draw_frames(Window& window, Errand& errand) {
+void draw_frames(Window& window, Errand& errand, const std::function<void()>& after_frame) {
   Studio& studio = window.studio();
   for (;;) {
     window.frame();
     take_picture(studio);
+    after_frame();
     studio.attended = !errand.under_way();
     if (errand.advance_frame(studio)) break;
     if constexpr (std::is_same_v<Window, DesktopWindow>) {
@@ -136,7 +139,7 @@ void draw_frames(Window& window, Errand& errand) {
 
 template <typename Window>
 int run_window(Window& window, const StudioRequest& request, const Settings& settings,
-               const std::string& problem) {
+               const std::string& problem, const std::function<void()>& after_frame) {
   Studio& studio = window.studio();
   studio.settings = settings;
   if (!problem.empty()) studio.messages.warn(problem);
@@ -147,7 +150,7 @@ int run_window(Window& window, const StudioRequest& request, const Settings& set
     open_first(studio, request.open);
   const bool unattended = request.quit;
   try {
-    draw_frames(window, errand);
+    draw_frames(window, errand, after_frame);
   } catch (...) {
     save_now(studio);  // a script that fails in its tenth line leaves the work of nine
     throw;
@@ -172,16 +175,23 @@ int run_studio(const StudioRequest& request) {
 
   if (DesktopWindow::display_available()) {
     DesktopWindow window(settings.window_width, settings.window_height, options);
-    const int status = run_window(window, request, settings, loaded.problem);
-    if (!request.quit)
-      save_settings(settings_path, settings_to_keep(window.studio().settings, loaded.settings, request));
+    Studio& studio = window.studio();
+    if (request.quit) return run_window(window, request, settings, loaded.problem, [] {});
+    KeptSettings kept(settings_path, loaded.settings);
+    const auto to_keep = [&] { return settings_to_keep(studio.settings, loaded.settings, request); };
+    const int status = run_window(window, request, settings, loaded.problem, [&] {
+      kept.follow(to_keep());
+      if (const std::string problem = kept.take_problem(); !problem.empty())
+        say(studio, Severity::warning, problem);
+    });
+    kept.finish(to_keep());
     return status;
   }
   if (!request.quit)
     throw Error("there is no display; without one, --quit is needed (with --screenshot or --script)");
   const auto scale = static_cast<float>(settings.ui_scale > 0 ? settings.ui_scale : 1.0);
   HeadlessWindow window(settings.window_width, settings.window_height, scale, options);
-  return run_window(window, request, settings, loaded.problem);
+  return run_window(window, request, settings, loaded.problem, [] {});
 }
 
 }  // namespace archetype

@@ -7,19 +7,10 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/model/part_colours.h"
+#include "core/report/box_faces.h"
 
 namespace archetype {
 namespace {
-
-// From the front, right and above, as the window shows shapes first.
-const Mat3 view = (Mat3() << 0.80, 0, -0.60, -0.23, 0.92, -0.31, 0.55, 0.39, 0.74).finished();
-
-struct Face {
-  double depth = 0;
-  std::array<Vec3, 4> corners;
-  Rgb colour{};
-};
 
 struct Placement {
   Vec3 middle = Vec3::Zero();
@@ -41,41 +32,9 @@ std::string hex(const Rgb& colour) {
   return text.data();
 }
 
-Rgb darker(const Rgb& colour, double share) {
-  Rgb result{};
-  for (std::size_t k = 0; k < 3; ++k) result[k] = static_cast<std::uint8_t>(share * colour[k]);
-  return result;
-}
-
-std::vector<Face> faces_of(const PartTemplate& part_template) {
-  std::vector<Face> faces;
-  for (std::size_t i = 0; i < part_template.parts.size(); ++i) {
-    const Box box = part_template.parts[i].mean_box();
-    const Rgb colour = part_colour(part_template, static_cast<int>(i));
-    for (int axis = 0; axis < 3; ++axis)
-      for (const double side : {-1.0, 1.0}) {
-        const Vec3 normal = view * (box.orientation * Vec3(side * Vec3::Unit(axis)));
-        if (normal.z() <= 0) continue;  // seen from behind
-        Face face;
-        for (int corner = 0; corner < 4; ++corner) {
-          Vec3 local;
-          local[axis] = side;
-          local[(axis + 1) % 3] = corner == 0 || corner == 3 ? -1 : 1;
-          local[(axis + 2) % 3] = corner < 2 ? -1 : 1;
-          Vec3& at = face.corners[static_cast<std::size_t>(corner)] = view * box.to_world(local);
-          face.depth += at.z() / 4;
-        }
-        face.colour = darker(colour, 0.72 + 0.28 * std::max(0.0, normal.dot(Vec3(0.2, 0.8, 0.55))));
-        faces.push_back(face);
-      }
-  }
-  std::ranges::stable_sort(faces, {}, &Face::depth);
-  return faces;
-}
-
-Placement placement(const std::vector<Face>& faces, int side) {
+Placement placement(const std::vector<BoxFace>& faces, int side) {
   Bounds bounds;
-  for (const Face& face : faces)
+  for (const BoxFace& face : faces)
     for (const Vec3& corner : face.corners)
       if (corner.allFinite()) bounds.add(corner);
   Placement place;
@@ -89,6 +48,7 @@ Placement placement(const std::vector<Face>& faces, int side) {
 
 // What is seen of the ellipsoid of one standard deviation: the covariance of the position, projected.
 std::string spread_ellipse(const TemplatePart& part, const Rgb& colour, const Placement& place) {
+  const Mat3 view = picture_view();
   const Mat3 covariance = view * part.position.stddev.cwiseAbs2().asDiagonal() * view.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance.topLeftCorner<2, 2>());
   const Eigen::Vector2d radii = axes.eigenvalues().cwiseMax(0).cwiseSqrt() * place.scale;
@@ -103,6 +63,7 @@ std::string spread_ellipse(const TemplatePart& part, const Rgb& colour, const Pl
 }
 
 std::string spread_lines(const TemplatePart& part, const Rgb& colour, const Placement& place) {
+  const Mat3 view = picture_view();
   std::string lines;
   for (int k = 0; k < 3; ++k)
     for (const double side : {-1.0, 1.0}) {
@@ -120,12 +81,12 @@ std::string spread_lines(const TemplatePart& part, const Rgb& colour, const Plac
 }  // namespace
 
 std::string template_svg(const PartTemplate& part_template, int side) {
-  const std::vector<Face> faces = faces_of(part_template);
+  const std::vector<BoxFace> faces = visible_faces(coloured_boxes(part_template));
   const Placement place = placement(faces, side);
   const std::string size = std::to_string(side);
   std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + size + "\" height=\"" + size +
                     "\" viewBox=\"0 0 " + size + ' ' + size + "\">\n";
-  for (const Face& face : faces) {
+  for (const BoxFace& face : faces) {
     svg += "<polygon points=\"";
     for (const Vec3& corner : face.corners)
       svg += number(place.x(corner)) + ',' + number(place.y(corner)) + ' ';
