@@ -188,7 +188,7 @@ class Division {
 
   // Estimates both anew from the shapes that take them, and lets every shape take the better one. The child
   // of a proposal is taken as it is at first. False if cancelled. (Proposals compared by their child alone,
-  // beside the parent as it is, take a sixth less time, but part lamps in 1 of 6 seeds rather than 10 of 20.)
+  // beside the parent as it is, take a sixth less time, but part fewer collections of lamps.)
   bool advance(const FitOptions& fit_options, const LearnOptions& options, unsigned threads,
                const JobControl& control) {
     Observed of_parent;
