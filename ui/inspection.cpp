@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/session/fit_state.h"
+#include "core/session/same_part.h"
 #include "ui/studio.h"
 
 namespace archetype {
@@ -183,6 +184,29 @@ const std::vector<ShapeFit>* shown_steps(const Studio& studio) {
   if (!of && stored) of = ChosenAlternative{stored->part_template, stored->fit.yaw_quarters};
   const FitAlternative* found = of ? find_alternative(*all, *of) : nullptr;
   return found ? &found->steps : nullptr;
+}
+
+std::optional<std::size_t> inspected_part(const Studio& studio, const FitLook& look) {
+  const auto& part = studio.ui.selection.part;
+  if (!part) return std::nullopt;
+  for (const TemplateRecord& each : look.shape->templates)
+    if (each.id == part->part_template)
+      return find_same_part(each.part_template, part->part, *look.part_template);
+  return std::nullopt;
+}
+
+void pick_inspected_part(Studio& studio, std::optional<std::size_t> part) {
+  ExplorerSelection& selection = studio.ui.selection;
+  selection.part.reset();
+  selection.place.reset();
+  if (part && studio.inspection.main.shape && studio.inspection.main.shape->fit)
+    selection.part = PartOfTemplate{inspected_template(studio, 0), *part};
+}
+
+TemplateId inspected_template(const Studio& studio, std::size_t side) {
+  if (side == 0)
+    if (const auto shown = shown_alternative(studio)) return shown->part_template;
+  return studio.inspection.side(side).shape->fit->part_template;
 }
 
 std::size_t outdated_fits(const Studio& studio) {
