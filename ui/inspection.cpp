@@ -119,6 +119,26 @@ void take_over(InspectSide& side) {
     side.look = std::move(result->look);
 }
 
+// The same samples and templates, if another fit.
+bool same_but_fit(const InspectedShape& a, const InspectedShape& b) {
+  return a.record.id == b.record.id && sampling_of(a.record) == sampling_of(b.record) && a.state == b.state &&
+         std::ranges::equal(a.templates, b.templates, {}, &TemplateRecord::id, &TemplateRecord::id);
+}
+
+// What else the shape could be does not depend on the fit that it has: nothing is tried again, and nothing
+// jumps in the window, when it was fitted anew.
+void keep_alternatives(Inspection& inspection) {
+  const std::shared_ptr<const InspectedShape>& shape = inspection.main.shape;
+  if (!shape) return;
+  auto& asked = inspection.asked_alternatives;
+  if (asked && asked->shape != shape && same_but_fit(*asked->shape, *shape)) asked->shape = shape;
+  const std::shared_ptr<const Alternatives>& newest = inspection.alternatives;
+  if (!newest || newest->of.shape == shape || !same_but_fit(*newest->of.shape, *shape)) return;
+  auto kept = std::make_shared<Alternatives>(*newest);
+  kept->of.shape = shape;
+  inspection.alternatives = std::move(kept);
+}
+
 // What was chosen for one shape says nothing of the next.
 void forget_choices(Studio& studio) {
   InspectOptions& options = studio.ui.inspect;
@@ -223,6 +243,7 @@ void begin_inspection(Studio& studio) {
   take_over(inspection.main);
   take_over(inspection.beside);
   if (auto made = inspection.alternatives_maker.poll()) inspection.alternatives = std::move(*made);
+  keep_alternatives(inspection);
   if (auto read = inspection.cluster_reader.poll()) inspection.cluster = std::move(read);
   for (const std::string& problem :
        {inspection.main.loader.take_problem(), inspection.main.looker.take_problem(),

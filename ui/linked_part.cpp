@@ -37,14 +37,13 @@ void link_selected_part(Studio& studio) {
   const bool edited = selection.linked_edited != studio.ui.part;
   const bool explored = selection.linked != selection.part;
   if (!active || (!edited && !explored)) return;
-  const bool editor_is_shown = studio.ui.centre == CentreView::shape;
-  // What was selected in the view that is shown has its effect on the other one when that comes.
-  if (editor_is_shown ? !explored : !edited) return;
+  // While boxes are edited no table of fits is read for it.
+  if (edited && studio.ui.centre == CentreView::shape) return;
   const std::shared_ptr<const FitTable> table = use_fit_table(studio);
   if (!table) return;
-  if (!editor_is_shown)
+  if (edited)
     selection.part = studio.ui.part ? explored_part(*table, *active, *studio.ui.part) : std::nullopt;
-  else if (!edited)  // a selection that was made here meanwhile is the newer one
+  else
     select_only(studio.ui, selection.part ? edited_part(*table, *active, *selection.part) : std::nullopt);
   selection.linked = selection.part;
   selection.linked_edited = studio.ui.part;

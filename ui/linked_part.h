@@ -1,5 +1,6 @@
-// The part that is selected in the editor and the one that the explorer has picked are one thing: what was
-// selected in either is selected in the other once its view is shown.
+// The part that is selected in the editor and the one that the explorer has picked are one thing: what is
+// picked in the explorer is selected in the editor, and what was selected while boxes were edited is picked
+// once another view is shown.
 #pragma once
 
 namespace archetype {

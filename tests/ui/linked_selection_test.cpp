@@ -249,6 +249,8 @@ TEST_CASE("A part that is picked in any view is the picked one in all of them") 
         std::ranges::find(table->templates, window.selection().part->part_template, &TemplateRecord::id);
     REQUIRE(record != table->templates.end());
     const std::string name = record->part_template.parts[window.selection().part->part].name;
+    REQUIRE(studio.ui.part);
+    CHECK(studio.history.current().active_template()->parts[*studio.ui.part].name == name);
     window.run("show-inspect");
     const FitLook& look = *studio.inspection.main.look;
     const auto inspected = inspected_part(studio, look);
