@@ -18,22 +18,11 @@ double reach(const Camera& camera, const Viewport& size, std::span<const glm::ve
   return most;
 }
 
-Camera camera_of(const std::vector<glm::vec3>& positions, const ThumbnailOptions& options) {
-  std::vector<glm::vec3> placed;
-  placed.reserve(positions.size());
-  for (const glm::vec3& position : positions) placed.emplace_back(options.transform * glm::vec4(position, 1));
-  const Viewport size{options.size, options.size};
-  Camera camera = thumbnail_camera(options.framed.empty() ? placed : options.framed, size);
-  if (options.framed.empty()) return camera;
-  if (const double beyond = reach(camera, size, placed); beyond > 1) camera.distance *= beyond * (1 + margin);
-  return camera;
-}
-
 Picture draw_thumbnail(Renderer& renderer, Scene scene, const std::vector<glm::vec3>& positions,
                        const ThumbnailOptions& options) {
   scene.backdrop = options.backdrop;
   RenderTarget target;
-  renderer.draw(scene, camera_of(positions, options), {options.size, options.size, options.mask ? 1 : 2},
+  renderer.draw(scene, shape_camera(positions, options), {options.size, options.size, options.mask ? 1 : 2},
                 target);
   return target.read();
 }
@@ -44,6 +33,17 @@ Camera thumbnail_camera(std::span<const glm::vec3> framed, Viewport size) {
   Camera camera;
   look_from(camera, ViewPreset::three_quarter);
   frame_points(camera, size, framed, margin);
+  return camera;
+}
+
+Camera shape_camera(const std::vector<glm::vec3>& positions, const ThumbnailOptions& options) {
+  std::vector<glm::vec3> placed;
+  placed.reserve(positions.size());
+  for (const glm::vec3& position : positions) placed.emplace_back(options.transform * glm::vec4(position, 1));
+  const Viewport size{options.size, options.size};
+  Camera camera = thumbnail_camera(options.framed.empty() ? placed : options.framed, size);
+  if (options.framed.empty()) return camera;
+  if (const double beyond = reach(camera, size, placed); beyond > 1) camera.distance *= beyond * (1 + margin);
   return camera;
 }
 

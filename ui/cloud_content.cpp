@@ -76,6 +76,14 @@ Rgb colour_of_shape(std::size_t number) {
   return {channel(0), channel(4), channel(2)};
 }
 
+// Grey on either ground, with a trace of its colour.
+Rgb dimmed(const Rgb& colour) {
+  Rgb result;
+  for (std::size_t k = 0; k < result.size(); ++k)
+    result[k] = static_cast<std::uint8_t>((colour[k] + 5 * 128) / 6);
+  return result;
+}
+
 }  // namespace
 
 std::optional<std::shared_ptr<const CloudContent>> read_cloud(const CloudContentRequest& request,
@@ -108,7 +116,8 @@ std::optional<std::shared_ptr<const CloudContent>> read_cloud(const CloudContent
   return content;
 }
 
-std::shared_ptr<const Colours> cloud_colours(const CloudContent& content, CloudColour by) {
+std::shared_ptr<const Colours> cloud_colours(const CloudContent& content, CloudColour by,
+                                             const std::vector<int>& kept) {
   auto colours = std::make_shared<Colours>();
   colours->reserve(content.of.size());
   // By template and part, with null_label in front.
@@ -135,6 +144,8 @@ std::shared_ptr<const Colours> cloud_colours(const CloudContent& content, CloudC
         colours->push_back(heat_colour(content.displacement[i] / content.largest_displacement));
         break;
     }
+    if (!kept.empty() && point.part != kept[content.shapes[point.shape].part_template])
+      colours->back() = dimmed(colours->back());
   }
   return colours;
 }

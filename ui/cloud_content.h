@@ -40,8 +40,10 @@ std::optional<std::shared_ptr<const CloudContent>> read_cloud(const CloudContent
                                                               const JobControl& control);
 using CloudReader = LatestWorker<CloudContentRequest, std::shared_ptr<const CloudContent>>;
 
-// One per point. About 5 ms for a million.
-std::shared_ptr<const Colours> cloud_colours(const CloudContent& content, CloudColour by);
+// One per point. `kept`: for each template the part that keeps its colours while all others are dimmed, -1
+// where it has none of them; empty: all keep theirs. About 5 ms for a million.
+std::shared_ptr<const Colours> cloud_colours(const CloudContent& content, CloudColour by,
+                                             const std::vector<int>& kept = {});
 
 // The points of some shapes of the cloud alone, given by their indices, ascending.
 std::shared_ptr<const PointGeometry> points_of_shapes(const CloudContent& content,

@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "core/base/random.h"
+#include "core/session/same_part.h"
 #include "ui/studio.h"
 
 namespace archetype {
@@ -73,12 +74,28 @@ void ask(Studio& studio) {
   view.reader.request(std::move(request), true);
 }
 
+// For cloud_colours(): the picked part in each template.
+std::vector<int> kept_parts(const CloudContent& content, const std::optional<PartOfTemplate>& picked) {
+  if (!picked) return {};
+  const auto of = std::ranges::find(content.templates, picked->part_template, &TemplateRecord::id);
+  if (of == content.templates.end()) return {};
+  std::vector<int> kept;
+  for (const TemplateRecord& each : content.templates) {
+    const auto same = find_same_part(of->part_template, picked->part, each.part_template);
+    kept.push_back(same ? static_cast<int>(*same) : no_such_part);
+  }
+  return kept;
+}
+
 void follow_colours(Studio& studio) {
   CloudView& view = studio.cloud;
-  const std::pair<const CloudContent*, CloudColour> wanted{view.content.get(), studio.ui.cloud.colour};
+  const std::tuple wanted{static_cast<const CloudContent*>(view.content.get()), studio.ui.cloud.colour,
+                          studio.ui.selection.part};
   if (view.coloured == wanted) return;
   view.coloured = wanted;
-  view.colours = view.content ? cloud_colours(*view.content, wanted.second) : nullptr;
+  view.colours = view.content ? cloud_colours(*view.content, studio.ui.cloud.colour,
+                                              kept_parts(*view.content, studio.ui.selection.part))
+                              : nullptr;
 }
 
 // The selected shapes, and the one under the mouse in whichever panel.

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <functional>
+#include <tuple>
 
 #include "ui/camera_mouse.h"
 #include "ui/cloud_content.h"
 #include "ui/cloud_picture.h"
+#include "ui/explorer_selection.h"
 #include "ui/view_panes.h"
 
 namespace archetype {
@@ -28,7 +30,8 @@ struct CloudView {
   std::shared_ptr<CloudProgress> progress;      // of what is being read
   std::shared_ptr<const CloudContent> content;  // null: nothing was read yet
   std::shared_ptr<const Colours> colours;       // of the content
-  std::pair<const CloudContent*, CloudColour> coloured{};
+  // What they are of; the part in the middle of attention too.
+  std::tuple<const CloudContent*, CloudColour, std::optional<PartOfTemplate>> coloured{};
   std::shared_ptr<const PointGeometry> marked;  // the points of selected and hovered shapes
   std::vector<std::uint32_t> marked_shapes;     // indices into the content's shapes, ascending
 

@@ -7,18 +7,13 @@
 #include <utility>
 
 #include "ui/cluster_card.h"
-#include "ui/filter_panel.h"
 #include "ui/histogram_plot.h"
 #include "ui/icons.h"
-#include "ui/order_menu.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
 namespace archetype {
 namespace {
-
-constexpr double least_cell = 48;
-constexpr double most_cell = 192;
 
 ClusterMeasures measures_of(const Studio& studio, float width) {
   const float scale = studio.fonts.scale;
@@ -33,13 +28,6 @@ ClusterMeasures measures_of(const Studio& studio, float width) {
   return measures;
 }
 
-std::vector<ShapeId> ids_in_order(const Studio& studio) {
-  std::vector<ShapeId> ids;
-  for (const ShapeCluster& cluster : studio.ui.clusters.clusters)
-    for (const std::size_t row : cluster.shown) ids.push_back(studio.collection.rows()[row].id);
-  return ids;
-}
-
 void draw_cell(Studio& studio, const ShapeCluster& cluster, std::size_t row, ImVec2 size) {
   const ShapeRow& shape = studio.collection.rows()[row];
   const std::vector<double>& values = studio.ui.clusters.values;
@@ -49,7 +37,7 @@ void draw_cell(Studio& studio, const ShapeCluster& cluster, std::size_t row, ImV
   const ShapeId id = shape.id;
   const CellClick click = draw_shape_cell(studio, shape, cell);
   if (click == CellClick::none) return;
-  take_click(studio, click, id, click == CellClick::extend ? ids_in_order(studio) : std::vector<ShapeId>());
+  take_click(studio, click, id, click == CellClick::extend ? cluster_order(studio) : std::vector<ShapeId>());
   studio.ui.grid.scroll_to_shape = true;
 }
 
@@ -162,7 +150,8 @@ void zoom_cells(Studio& studio) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!io.KeyCtrl || io.MouseWheel == 0 || !ImGui::IsWindowHovered()) return;
   double& size = studio.ui.clusters.cell_size;
-  size = std::clamp(size * std::pow(1.1, static_cast<double>(io.MouseWheel)), least_cell, most_cell);
+  size = std::clamp(size * std::pow(1.1, static_cast<double>(io.MouseWheel)), least_cluster_cell,
+                    most_cluster_cell);
 }
 
 void draw_all(Studio& studio) {
@@ -191,97 +180,6 @@ void draw_all(Studio& studio) {
 }
 
 }  // namespace
-
-ClusterKey cluster_key(const Studio& studio, const ShapeCluster& cluster) {
-  if (cluster.kind != ClusterKind::members || !studio.ui.clusters.of_table) return {cluster.kind, 0};
-  return {cluster.kind, studio.ui.clusters.of_table->templates[cluster.part_template].id};
-}
-
-bool is_expanded(const Studio& studio, const ShapeCluster& cluster) {
-  const auto& expanded = studio.ui.clusters.expanded;
-  return std::ranges::find(expanded, cluster_key(studio, cluster)) != expanded.end();
-}
-
-void set_expanded(Studio& studio, const ClusterKey& key, bool expanded) {
-  std::erase(studio.ui.clusters.expanded, key);
-  if (expanded) studio.ui.clusters.expanded.push_back(key);
-}
-
-const std::vector<ShapeCluster>& follow_clusters(Studio& studio) {
-  ClustersState& state = studio.ui.clusters;
-  const std::vector<std::size_t>& rows = shown_rows(studio);
-  const std::shared_ptr<const FitTable> table = use_fit_table(studio);
-  if (state.of_shown == studio.ui.shown.revision && state.of_table == table) return state.clusters;
-  const ShapeTable shapes(studio.collection.rows(), table.get());
-  const ShapeOrder& order = studio.ui.shown.order;
-  const bool by_name = order.column.quantity == ShapeQuantity::name;
-  state.clusters = shape_clusters(shapes, rows, by_name && !order.descending);
-  state.values = by_name ? std::vector<double>() : column_values(shapes, order.column);
-  state.of_shown = studio.ui.shown.revision;
-  state.of_table = table;
-  state.cards.resize(state.clusters.size(), guessed_card_height(studio));
-  return state.clusters;
-}
-
-void step_in_clusters(Studio& studio, CellStep step, bool extend) {
-  ClustersState& state = studio.ui.clusters;
-  follow_clusters(studio);
-  if (state.layout.sections.size() != state.clusters.size()) return;  // not drawn yet
-  const std::optional<std::size_t> row =
-      studio.ui.shape ? find_row(studio.collection, *studio.ui.shape) : std::nullopt;
-  const auto from = row ? find_cell(state.clusters, *row) : std::nullopt;
-  const std::vector<ShapeId> order = ids_in_order(studio);
-  if (order.empty()) return;
-  ShapeId next = order.front();
-  if (from) {
-    const CellPlace to = step_cell(state.layout, state.clusters, *from, step);
-    next = studio.collection.rows()[state.clusters[to.section].shown[to.index]].id;
-    // Members that are not laid out cannot be shown where they stand.
-    const std::size_t laid_out = state.layout.sections[to.section].lines * state.layout.columns;
-    if (to.index >= laid_out) set_expanded(studio, cluster_key(studio, state.clusters[to.section]), true);
-  }
-  if (extend)
-    add_to_selection(studio.ui.selection, range_of(order, studio.ui.shape, next));
-  else
-    select_only(studio.ui.selection, {next});
-  show_shape(studio, next);
-  state.scroll_to_shape = true;
-  studio.ui.grid.scroll_to_shape = true;
-}
-
-void draw_clusters_tools(Studio& studio) {
-  const float scale = studio.fonts.scale;
-  draw_order_button(studio, "clusters:order", 150 * scale);
-  ImGui::SameLine();
-  draw_filter_button(studio, ImGui::GetFrameHeight());
-  separator_in_line(studio);
-  command_toggle(studio, "cluster-spread", "Spread");
-  ImGui::SameLine();
-  command_toggle(studio, "expand-clusters", "All members");
-  ImGui::SameLine();
-  command_button(studio, "family-tree", std::string(icon::tree) + "  Family tree");
-  ImGui::SameLine();
-  ImGui::AlignTextToFramePadding();
-  muted_text(studio, icon::grid);
-  ImGui::SameLine(0, 4 * scale);
-  float size = static_cast<float>(studio.ui.clusters.cell_size);
-  ImGui::SetNextItemWidth(90 * scale);
-  if (ImGui::SliderFloat("##size", &size, static_cast<float>(least_cell), static_cast<float>(most_cell), ""))
-    studio.ui.clusters.cell_size = std::clamp(static_cast<double>(size), least_cell, most_cell);
-  mark_target(studio, "clusters:size");
-  tooltip("Size of the pictures (Ctrl and the wheel)");
-  const auto& clusters = follow_clusters(studio);
-  const auto templates =
-      static_cast<std::size_t>(std::ranges::count(clusters, ClusterKind::members, &ShapeCluster::kind));
-  const std::string text = plural(templates, "template") + ", " + count_text(shown_rows(studio).size()) +
-                           " of " + count_text(studio.collection.rows().size()) + " shapes";
-  const float room = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x;
-  ImGui::SameLine();
-  if (room < ImGui::GetCursorPosX() + 8 * scale) return;
-  ImGui::SetCursorPosX(room);
-  ImGui::AlignTextToFramePadding();
-  muted_text(studio, text);
-}
 
 void draw_clusters_view(Studio& studio) {
   if (!studio.collection.open() || studio.collection.rows().empty()) {

@@ -24,6 +24,7 @@ std::vector<Command> all_commands() {
   add_strip_commands(commands);
   add_fit_commands(commands);
   add_inspect_commands(commands);
+  add_correction_commands(commands);
   add_learning_commands(commands);
   add_plot_commands(commands);
   add_help_commands(commands);

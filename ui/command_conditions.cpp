@@ -13,6 +13,11 @@ std::string needs_collection(const Studio& studio) {
   return studio.collection.open() ? "" : "open a folder or a project first";
 }
 
+std::string needs_any_shape(const Studio& studio) {
+  if (std::string reason = needs_collection(studio); !reason.empty()) return reason;
+  return studio.collection.rows().empty() ? "the collection has no shapes yet" : "";
+}
+
 std::string needs_shape(const Studio& studio) {
   return studio.shape.record ? "" : "click a shape in the collection first";
 }
@@ -36,8 +41,7 @@ std::string needs_fit(const Studio& studio) {
 }
 
 std::string needs_free_shapes(const Studio& studio) {
-  if (std::string reason = needs_collection(studio); !reason.empty()) return reason;
-  if (studio.collection.rows().empty()) return "the collection has no shapes yet";
+  if (std::string reason = needs_any_shape(studio); !reason.empty()) return reason;
   return is_fitted(studio, studio.collection.path) ? "its shapes are being fitted; stop that job first" : "";
 }
 
@@ -45,6 +49,12 @@ std::string needs_shapes_and_template(const Studio& studio) {
   if (std::string reason = needs_free_shapes(studio); !reason.empty()) return reason;
   const PartTemplate* active = studio.history.committed().active_template();
   return active && !active->parts.empty() ? "" : "make or load a template with at least one part first";
+}
+
+std::string needs_inspected(const Studio& studio) {
+  if (std::string reason = needs_shape(studio); !reason.empty()) return reason;
+  if (studio.ui.centre != CentreView::inspect) return "show the fit first (Alt+3)";
+  return studio.inspection.main.shape ? "" : "wait until the shape is read";
 }
 
 double number_argument(Arguments arguments, std::size_t index, std::string_view what) {
@@ -55,6 +65,13 @@ double number_argument(Arguments arguments, std::size_t index, std::string_view 
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
     throw Error("expected " + std::string(what) + ", not \"" + text + "\"");
   return value;
+}
+
+int yaw_argument(Arguments arguments, std::size_t index) {
+  const double degrees = number_argument(arguments, index, "0, 90, 180 or 270");
+  for (int quarters = 0; quarters < 4; ++quarters)
+    if (degrees == quarters * 90) return quarters;
+  throw Error("expected 0, 90, 180 or 270");
 }
 
 std::string text_argument(Arguments arguments, std::size_t first, std::string_view what) {

@@ -51,9 +51,11 @@ void cancel_command(Studio& studio, Arguments) {
     take_point_tool(studio, PointTool::none);
   } else if (!selected_points(studio).empty()) {
     studio.ui.points.selected.clear();
-  } else if (studio.ui.centre == CentreView::clusters && studio.ui.selection.part) {
+  } else if (studio.ui.centre != CentreView::shape && studio.ui.selection.place) {
+    studio.ui.selection.place.reset();
+  } else if (studio.ui.centre != CentreView::shape && studio.ui.selection.part) {
     studio.ui.selection.part.reset();
-  } else if (studio.ui.centre == CentreView::clusters && !studio.ui.selection.shapes.empty()) {
+  } else if (studio.ui.centre != CentreView::shape && !studio.ui.selection.shapes.empty()) {
     select_only(studio.ui.selection, {});
   } else if (studio.ui.look) {
     stop_looking(studio);

@@ -40,7 +40,7 @@ void show_plot(Studio& studio, Arguments arguments) {
   const std::string name = text_argument(arguments, 0, "the name of a plot");
   if (!find_plot(name)) throw Error("there is no plot \"" + name + "\"; `archetype help plot` lists them");
   studio.ui.centre = CentreView::plots;
-  studio.ui.plots.chosen = name;
+  studio.settings.plot = name;
 }
 
 // Written at once: a few hundred kilobytes at most.
@@ -82,7 +82,17 @@ void evaluate_landmarks_command(Studio& studio, Arguments arguments) {
 
 template <MapTool tool>
 void take_map_tool(Studio& studio, Arguments) {
-  studio.ui.map.tool = tool;
+  studio.settings.map_tool = tool == MapTool::lasso ? "lasso" : "rectangle";
+}
+
+template <bool Settings::*Option>
+void toggle(Studio& studio, Arguments) {
+  studio.settings.*Option = !(studio.settings.*Option);
+}
+
+template <bool Settings::*Option>
+bool is_on(const Studio& studio) {
+  return studio.settings.*Option;
 }
 
 template <MapTool tool>
@@ -118,12 +128,12 @@ void add_plot_commands(std::vector<Command>& commands) {
                        .checked = has_map_tool<MapTool::lasso>},
                       {.name = "map-pictures",
                        .title = "Pictures on the map",
-                       .run = [](Studio& s, Arguments) { s.ui.map.pictures = !s.ui.map.pictures; },
-                       .checked = [](const Studio& s) { return s.ui.map.pictures; }},
+                       .run = toggle<&Settings::map_pictures>,
+                       .checked = is_on<&Settings::map_pictures>},
                       {.name = "map-sliders",
                        .title = "Sliders that find shapes",
-                       .run = [](Studio& s, Arguments) { s.ui.map.sliders = !s.ui.map.sliders; },
-                       .checked = [](const Studio& s) { return s.ui.map.sliders; }},
+                       .run = toggle<&Settings::map_sliders>,
+                       .checked = is_on<&Settings::map_sliders>},
                       {.name = "wish",
                        .title = "Wish for a parameter of a part",
                        .arguments = "PART PARAMETER SIGMAS",

@@ -113,7 +113,7 @@ void add_strip_commands(std::vector<Command>& commands) {
            .key = "Ctrl+T",
            .arguments = "[NAME]",
            .run = add_command,
-           .why_not = needs_collection},
+           .why_not = needs_any_shape},
           {.name = "strip-remove",
            .title = "Strip: take a shape out",
            .arguments = "[NAME]",

@@ -34,6 +34,9 @@ struct ExplorerSelection {
   std::optional<PartOfTemplate> part;
   std::optional<PickedPlace> place;
   std::uint64_t revision = 0;  // changes with `shapes`
+  // `part` and the editor's part when they were brought in line last: see linked_part.h.
+  std::optional<PartOfTemplate> linked;
+  std::optional<std::size_t> linked_edited;
 };
 
 bool is_selected(const ExplorerSelection& selection, ShapeId shape);

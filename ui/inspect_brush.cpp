@@ -1,8 +1,11 @@
 #include "ui/inspect_brush.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
+#include <iterator>
 
 #include "core/session/correction_actions.h"
+#include "render/picking.h"
 #include "ui/studio.h"
 
 namespace archetype {
@@ -34,16 +37,45 @@ std::vector<std::uint32_t> under_brush(const ShapeSamples& samples, const Vec3& 
   return touched;
 }
 
-void paint(Studio& studio, const std::optional<InspectedPlace>& at) {
+std::vector<std::uint32_t> seen_samples(const InspectContent& content, const Camera& camera,
+                                        const Viewport& viewport, const std::vector<std::uint32_t>& samples) {
+  const ShapeDisplay& display = content.shape->display;
+  Scene scene = make_pick_scene(content);
+  // What is nearer than the sample itself by so much hides it: thinner sheets are painted on both sides.
+  double slack = 0.01;
+  if (!display.mesh) {
+    // Splats overlap; those of the samples are few enough to look for each.
+    scene.points.resize(1);
+    scene.points.front().geometry = display.samples;
+    scene.points.front().colours.reset();
+    slack = 2.0 * static_cast<double>(display.samples->spacing);
+  }
+  std::vector<std::uint32_t> seen;
+  for (const std::uint32_t sample : samples) {
+    const glm::dvec3 at = in_scene(content.look.get(), content.shape->samples->points[sample]);
+    const auto pixel = to_screen(camera, viewport, at);
+    if (!pixel) continue;
+    const Pick pick = pick_surface(scene, camera, viewport, *pixel);
+    const double behind = pick.kind == PickKind::nothing ? 0 : glm::distance(pick.position, at);
+    if (behind <= slack) seen.push_back(sample);
+  }
+  return seen;
+}
+
+void paint(Studio& studio, const InspectContent& content, const Viewport& viewport,
+           const std::optional<InspectedPlace>& at) {
   Inspection& inspection = studio.inspection;
   if (!inspection.main.shape || (inspection.stroke_previewed && !studio.history.has_preview())) {
     drop_stroke(inspection);
     return;
   }
   if (!at || at->side != 0) return;
-  std::vector<std::uint32_t> touched =
+  std::vector<std::uint32_t> under =
       under_brush(*inspection.main.shape->samples, at->point, studio.ui.inspect.brush_radius);
-  if (touched.empty()) touched.push_back(at->sample);  // a small brush between the samples
+  if (under.empty()) under.push_back(at->sample);  // a small brush between the samples
+  std::vector<std::uint32_t> more;
+  std::ranges::set_difference(under, inspection.stroke, std::back_inserter(more));
+  const std::vector<std::uint32_t> touched = seen_samples(content, inspection.camera, viewport, more);
   std::vector<std::uint32_t> all;
   std::ranges::set_union(inspection.stroke, touched, std::back_inserter(all));
   if (all.size() == inspection.stroke.size()) return;

@@ -8,6 +8,7 @@
 #include "ui/icons.h"
 #include "ui/inspect_actions.h"
 #include "ui/inspect_panels.h"
+#include "ui/project_actions.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
@@ -172,15 +173,19 @@ void draw_corrections_panel(Studio& studio) {
   draw_brush(studio);
   draw_pins(studio, correction);
   if (correction.empty())
-    muted_paragraph(studio,
-                    "What is pinned, painted or marked here holds in every later fit and in learning.");
+    muted_paragraph(
+        studio,
+        "What is pinned, painted or marked here is fitted at once, and holds in every later fit and in "
+        "learning.");
   command_button(studio, "template-from-shape", "Make a template", {share_of_width(2), 0});
   ImGui::SameLine();
   command_button(studio, "inspect-beside", studio.ui.inspect.beside ? "Another beside" : "Show one beside",
                  {share_of_width(1), 0});
   if (studio.ui.inspect.beside) command_button(studio, "inspect-alone", "Only this shape", {-1, 0});
   const std::size_t outdated = outdated_fits(studio);
-  if (outdated > 0) {
+  if (outdated > 0 && (!corrections_settled(studio) || is_fitted(studio, studio.collection.path))) {
+    muted_paragraph(studio, (plural(outdated, "shape") + " to be fitted anew…").c_str());
+  } else if (outdated > 0) {
     ImGui::TextColored(colours(studio).warning, "%s", (plural(outdated, "fit") + " out of date").c_str());
     command_button(studio, "refit-corrected", std::string(icon::play) + "  Fit them anew", {-1, 0});
   }

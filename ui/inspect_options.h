@@ -20,16 +20,17 @@ struct ChosenAlternative {
 };
 
 struct InspectOptions {
+  // Those of the settings; see kept_choices.h.
   InspectColour colour = InspectColour::part;
   bool fitted_boxes = true;
   bool mean_boxes = false;
   bool template_points = false;  // and how far each is from its correspondence
   bool correspondences = false;  // as lines
   bool samples = false;
+
   std::optional<ChosenAlternative> chosen;  // nothing: the fit that the project holds
   std::optional<std::size_t> step;          // after so many alternations; nothing: the end
   std::optional<ShapeId> beside;            // another shape, beside the one in view
-  std::optional<std::size_t> part;          // whose bars are shown; nothing: all
   // The brush.
   bool painting = false;
   bool freeing = false;        // it takes pins away

@@ -8,6 +8,7 @@
 
 #include "ui/icons.h"
 #include "ui/inspect_panels.h"
+#include "ui/kept_choices.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
@@ -93,14 +94,13 @@ void draw_bar(Studio& studio, const Term& term, double value, const std::vector<
 
 // The whole, and each part; a click chooses whose bars and boxes are shown.
 void draw_part_choice(Studio& studio, const FitLook& look) {
-  InspectOptions& options = studio.ui.inspect;
-  if (options.part && *options.part >= look.fit.parts.size()) options.part.reset();
+  const std::optional<std::size_t> chosen = inspected_part(studio, look);
   const auto line = [&](const std::string& name, std::optional<std::size_t> part, double energy,
                         bool absent) {
     ImGui::PushID(part ? static_cast<int>(*part) : -1);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetTextLineHeight();
-    if (ImGui::Selectable("##part", options.part == part)) options.part = part;
+    if (ImGui::Selectable("##part", chosen == part)) pick_inspected_part(studio, part);
     mark_target(studio, "inspect:part:" + name);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     if (part) {
@@ -136,7 +136,7 @@ void draw_fit_terms_panel(Studio& studio) {
   }
   draw_part_choice(studio, *look);
   ImGui::Dummy({0, 3 * studio.fonts.scale});
-  const auto part = studio.ui.inspect.part;
+  const std::optional<std::size_t> part = inspected_part(studio, *look);
   // The distribution is that of the template whose fits it was read of.
   const ClusterTerms* cluster = nullptr;
   const auto& fit = inspection.main.shape->fit;
@@ -188,7 +188,8 @@ void draw_inspect_tools(Studio& studio) {
         std::ranges::find(by, studio.ui.inspect.colour, &std::pair<InspectColour, const char*>::first);
     if (ImGui::BeginCombo("##colour", now->second)) {
       for (const auto& [colour, name] : by)
-        if (ImGui::Selectable(name, colour == studio.ui.inspect.colour)) studio.ui.inspect.colour = colour;
+        if (ImGui::Selectable(name, colour == studio.ui.inspect.colour))
+          studio.settings.inspect_colour = name_of(colour);
       ImGui::EndCombo();
     }
     mark_target(studio, "inspect:colour");

@@ -28,7 +28,7 @@ Rgb colour_of(const FitLook& look, std::size_t part) {
 }
 
 bool is_chosen(const InspectContent& content, std::size_t part) {
-  return !content.options.part || *content.options.part == part;
+  return !content.part || *content.part == part;
 }
 
 void add_shape(const InspectContent& content, Scene& scene) {

@@ -10,6 +10,7 @@ struct InspectContent {
   std::shared_ptr<const FitLook> look;          // null: the shape as it stands
   ShapeColours colours;
   InspectOptions options;
+  std::optional<std::size_t> part;  // whose boxes and points are shown; nothing: all
   std::vector<PinnedLabel> pinned;  // for the template of the look
   Backdrop backdrop = Backdrop::dark;
 };

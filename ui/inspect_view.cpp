@@ -46,6 +46,7 @@ InspectContent content_of(const Studio& studio, std::size_t index) {
   if (side.look && side.look->shape == side.shape) content.look = side.look;
   if (content.look) content.colours = side.colours;  // those of the shape before have other faces
   content.options = studio.ui.inspect;
+  if (content.look) content.part = inspected_part(studio, *content.look);
   content.backdrop = studio.theme == Theme::light ? Backdrop::light : Backdrop::dark;
   const ShapeCorrection* correction = correction_of(studio.history.current(), side.shape->record.id);
   if (content.look && correction && correction->sampling == sampling_of(side.shape->record))
@@ -77,7 +78,7 @@ void draw_picture(Studio& studio, const PlacedSide& placed) {
   key.shown = {options.fitted_boxes, options.mean_boxes, options.template_points, options.correspondences,
                options.samples};
   key.corrections = studio.history.current().corrections;
-  key.part = options.part;
+  if (side.look) key.part = inspected_part(studio, *side.look);
   const bool changed = side.drawn != key;
   if (changed) side.changed_at = Clock::now();
   const bool rested = Clock::now() - side.changed_at > rest_before_fine_picture;
@@ -128,10 +129,8 @@ void pick_place(Studio& studio, const InspectedPlace& place) {
     studio.ui.selection.place.reset();
     return;
   }
-  TemplateId id = side.shape->fit->part_template;
-  if (place.side == 0)
-    if (const auto shown = shown_alternative(studio)) id = shown->part_template;
-  const PartOfTemplate part{id, static_cast<std::size_t>(on_template->part)};
+  const PartOfTemplate part{inspected_template(studio, place.side),
+                            static_cast<std::size_t>(on_template->part)};
   studio.ui.selection.part = part;
   studio.ui.selection.place = PickedPlace{part, on_template->on_mean, side.shape->record.id};
 }
@@ -146,7 +145,8 @@ void resize_brush(Studio& studio, MouseInput& mouse) {
 }
 
 // True while the mouse paints.
-bool follow_brush(Studio& studio, std::size_t side, const MouseInput& mouse) {
+bool follow_brush(Studio& studio, const PlacedSide& placed, const MouseInput& mouse) {
+  const std::size_t side = placed.index;
   Inspection& inspection = studio.inspection;
   const bool for_camera = mouse.shift || (studio.ui.navigation == Navigation::maya && mouse.alt);
   const bool on_shape = side == 0 && inspection.hovered && inspection.hovered->side == 0;
@@ -155,7 +155,7 @@ bool follow_brush(Studio& studio, std::size_t side, const MouseInput& mouse) {
     inspection.stroking = true;
   if (!inspection.stroking || side != 0) return inspection.stroking;
   if (mouse.held)
-    paint(studio, inspection.hovered);
+    paint(studio, content_of(studio, 0), placed.viewport(), inspection.hovered);
   else
     end_stroke(studio);
   return true;
@@ -175,7 +175,7 @@ void follow_mouse(Studio& studio, const PlacedSide& placed) {
   resize_brush(studio, mouse);
   if (other_holds) return;
   if (mouse.pressed) inspection.held = placed.index;
-  if (follow_brush(studio, placed.index, mouse)) return;
+  if (follow_brush(studio, placed, mouse)) return;
   const GizmoView view{inspection.camera, placed.viewport(), static_cast<double>(studio.fonts.scale)};
   if (!follow_camera_mouse(inspection.mouse, studio.ui.navigation, mouse, view, inspection.camera)) return;
   if (inspection.hovered)

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/session/fit_state.h"
+#include "core/session/same_part.h"
 #include "ui/studio.h"
 
 namespace archetype {
@@ -118,6 +119,26 @@ void take_over(InspectSide& side) {
     side.look = std::move(result->look);
 }
 
+// The same samples and templates, if another fit.
+bool same_but_fit(const InspectedShape& a, const InspectedShape& b) {
+  return a.record.id == b.record.id && sampling_of(a.record) == sampling_of(b.record) && a.state == b.state &&
+         std::ranges::equal(a.templates, b.templates, {}, &TemplateRecord::id, &TemplateRecord::id);
+}
+
+// What else the shape could be does not depend on the fit that it has: nothing is tried again, and nothing
+// jumps in the window, when it was fitted anew.
+void keep_alternatives(Inspection& inspection) {
+  const std::shared_ptr<const InspectedShape>& shape = inspection.main.shape;
+  if (!shape) return;
+  auto& asked = inspection.asked_alternatives;
+  if (asked && asked->shape != shape && same_but_fit(*asked->shape, *shape)) asked->shape = shape;
+  const std::shared_ptr<const Alternatives>& newest = inspection.alternatives;
+  if (!newest || newest->of.shape == shape || !same_but_fit(*newest->of.shape, *shape)) return;
+  auto kept = std::make_shared<Alternatives>(*newest);
+  kept->of.shape = shape;
+  inspection.alternatives = std::move(kept);
+}
+
 // What was chosen for one shape says nothing of the next.
 void forget_choices(Studio& studio) {
   InspectOptions& options = studio.ui.inspect;
@@ -185,6 +206,29 @@ const std::vector<ShapeFit>* shown_steps(const Studio& studio) {
   return found ? &found->steps : nullptr;
 }
 
+std::optional<std::size_t> inspected_part(const Studio& studio, const FitLook& look) {
+  const auto& part = studio.ui.selection.part;
+  if (!part) return std::nullopt;
+  for (const TemplateRecord& each : look.shape->templates)
+    if (each.id == part->part_template)
+      return find_same_part(each.part_template, part->part, *look.part_template);
+  return std::nullopt;
+}
+
+void pick_inspected_part(Studio& studio, std::optional<std::size_t> part) {
+  ExplorerSelection& selection = studio.ui.selection;
+  selection.part.reset();
+  selection.place.reset();
+  if (part && studio.inspection.main.shape && studio.inspection.main.shape->fit)
+    selection.part = PartOfTemplate{inspected_template(studio, 0), *part};
+}
+
+TemplateId inspected_template(const Studio& studio, std::size_t side) {
+  if (side == 0)
+    if (const auto shown = shown_alternative(studio)) return shown->part_template;
+  return studio.inspection.side(side).shape->fit->part_template;
+}
+
 std::size_t outdated_fits(const Studio& studio) {
   const std::shared_ptr<const InspectedShape>& shape = studio.inspection.main.shape;
   if (!shape) return 0;
@@ -199,6 +243,7 @@ void begin_inspection(Studio& studio) {
   take_over(inspection.main);
   take_over(inspection.beside);
   if (auto made = inspection.alternatives_maker.poll()) inspection.alternatives = std::move(*made);
+  keep_alternatives(inspection);
   if (auto read = inspection.cluster_reader.poll()) inspection.cluster = std::move(read);
   for (const std::string& problem :
        {inspection.main.loader.take_problem(), inspection.main.looker.take_problem(),

@@ -115,6 +115,12 @@ std::optional<ChosenAlternative> coming_fit(const Studio& studio);
 std::optional<ChosenAlternative> shown_alternative(const Studio& studio);
 // The alternations of what is shown; null where they are not known.
 const std::vector<ShapeFit>* shown_steps(const Studio& studio);
+// The explorer's part in the template of a look; nothing where none is picked, or the template lacks it.
+std::optional<std::size_t> inspected_part(const Studio& studio, const FitLook& look);
+// Picks a part of what is shown, for all views; nothing lets go of it.
+void pick_inspected_part(Studio& studio, std::optional<std::size_t> part);
+// The template of what a side shows. The side has a shape with a fit.
+TemplateId inspected_template(const Studio& studio, std::size_t side);
 // Shapes whose fit in the project is not of its templates and of what was corrected.
 std::size_t outdated_fits(const Studio& studio);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/report/plot_drawing.h"
+#include "ui/plot_selection.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
@@ -101,17 +102,26 @@ void draw_plot_view(Studio& studio, const Figure& figure, ImVec2 size) {
   };
   const PlotDrawing drawing = draw_figure(figure, space);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
-  ImGui::InvisibleButton("##plot", {drawing.width, std::max(1.0f, drawing.height)});
+  const bool clicked = ImGui::InvisibleButton("##plot", {drawing.width, std::max(1.0f, drawing.height)});
   mark_target(studio, "plot");
   const Painter painter{studio, *ImGui::GetWindowDrawList(), origin, colours(studio)};
   for (const DrawnMark& mark : drawing.marks) std::visit(painter, mark);
+  draw_selected_shares(studio, figure, drawing, origin);
+  for (const HoverValue& value : drawing.values)
+    if (value.bar)
+      studio.targets.push_back({"bar:" + std::to_string(value.panel) + ":" + std::to_string(value.series) +
+                                    ":" + std::to_string(value.point),
+                                origin.x + value.bar->low.x, origin.y + value.bar->low.y,
+                                origin.x + value.bar->high.x, origin.y + value.bar->high.y});
   if (ImGui::IsItemHovered()) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (const auto value = value_at(drawing, mouse.x - origin.x, mouse.y - origin.y)) {
       const HoverValue& hovered = drawing.values[*value];
       painter.draw.AddRect(painter.at(hovered.low), painter.at(hovered.high),
                            ImGui::GetColorU32(colours(studio).accent), 2 * studio.fonts.scale);
-      ImGui::SetTooltip("%s", hovered.text.c_str());
+      const std::string hint = selection_hint(studio, figure, hovered);
+      ImGui::SetTooltip("%s%s%s", hovered.text.c_str(), hint.empty() ? "" : "\n", hint.c_str());
+      if (clicked) select_value(studio, figure, hovered, ImGui::GetIO().KeyCtrl);
     }
   }
   ImGui::EndChild();

@@ -34,7 +34,7 @@ struct FigureKey {
 };
 
 struct PlotsState {
-  std::string chosen = "members";
+  std::string chosen = "members";  // that of the settings
   Evaluations evaluations;
   FigureKey key;
   std::shared_ptr<const Figure> figure;  // of the key; null: something is missing

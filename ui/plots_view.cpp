@@ -21,7 +21,7 @@ void draw_list(Studio& studio) {
       group = entry.group;
     }
     const bool chosen = &entry == &chosen_plot(studio);
-    if (ImGui::Selectable(entry.title, chosen)) studio.ui.plots.chosen = entry.name;
+    if (ImGui::Selectable(entry.title, chosen)) studio.settings.plot = studio.ui.plots.chosen = entry.name;
     mark_target(studio, std::string("plot:") + entry.name);
     if (ImGui::CalcTextSize(entry.title).x > ImGui::GetItemRectSize().x) tooltip(entry.title);
   }

@@ -84,7 +84,7 @@ void tell(Studio& studio, const ShapeRow& row) {
 }
 
 // What else can be done with a shape; those that are there.
-constexpr std::array shape_commands{"show-inspect", "template-from-shape", "mark-outlier", "mark-learn",
+constexpr std::array shape_commands{"show-inspect", "template-from-shape", "mark-outlier", "learn-from-shape",
                                     "strip-add"};
 
 // Some take the name of a shape, and some are of the shape in view.
@@ -143,15 +143,32 @@ bool draw_template_button(Studio& studio, const ShapeRow& row, ImVec2 low, ImVec
 
 }  // namespace
 
+namespace {
+
+// The place that was picked, from the mean box of its part to that of the same part of another template.
+std::optional<Vec3> place_in(const FitTable& table, const PickedPlace& place, const PartTemplate& other,
+                             std::size_t part) {
+  const auto of = std::ranges::find(table.templates, place.on.part_template, &TemplateRecord::id);
+  if (of == table.templates.end()) return std::nullopt;
+  const Box from = of->part_template.parts[place.on.part].mean_box();
+  return other.parts[part].mean_box().to_world(from.to_local(place.canonical));
+}
+
+}  // namespace
+
 WantedThumbnail shown_thumbnail(Studio& studio, const ShapeRow& row) {
   WantedThumbnail wanted = wanted_thumbnail(row);
-  if (!studio.ui.selection.part || !row.fit) return wanted;
+  const ExplorerSelection& selection = studio.ui.selection;
+  // While boxes are edited, what is selected is one of them, and all shapes are seen as they are.
+  if (!selection.part || !row.fit || studio.ui.centre == CentreView::shape) return wanted;
   const std::shared_ptr<const FitTable> table = use_fit_table(studio);
   if (!table) return wanted;
   const auto mine = std::ranges::find(table->templates, row.fit->part_template, &TemplateRecord::id);
   if (mine == table->templates.end()) return wanted;
   const auto same = highlighted_part(studio, mine->part_template);
   wanted.highlighted = same ? static_cast<int>(*same) : no_such_part;
+  if (same && selection.place && selection.place->on == *selection.part)
+    wanted.place = place_in(*table, *selection.place, mine->part_template, *same);
   return wanted;
 }
 

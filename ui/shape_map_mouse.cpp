@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ui/shape_cell.h"
 #include "ui/shape_map_view.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
@@ -51,7 +52,7 @@ void tell(Studio& studio, const MadeMap& made, const MapPoint& point) {
   studio.ui.selection.hovering = point.shape;
   ImGui::BeginTooltip();
   const float side = 120 * studio.fonts.scale;
-  if (const std::uint32_t texture = studio.thumbnails.use(wanted_thumbnail(*row)))
+  if (const std::uint32_t texture = studio.thumbnails.use(shown_thumbnail(studio, *row)))
     ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture)), {side, side});
   ImGui::TextUnformatted(row->name.c_str());
   muted_text(studio, made.table->templates[point.part_template].part_template.name +

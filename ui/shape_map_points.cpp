@@ -4,6 +4,7 @@
 #include <unordered_set>
 
 #include "core/report/plot.h"
+#include "ui/shape_cell.h"
 #include "ui/shape_map_paint.h"
 #include "ui/shape_map_view.h"
 #include "ui/studio.h"
@@ -50,7 +51,7 @@ void draw_pictures(Studio& studio, const MadeMap& made, const MapSpace& space,
     const ImVec2 low(at.x - side / 2, at.y - side / 2);
     const ImVec2 high(at.x + side / 2, at.y + side / 2);
     draw.AddRectFilled(low, high, ImGui::GetColorU32(p.raised), rounding);
-    if (const std::uint32_t texture = studio.thumbnails.use(wanted_thumbnail(*row)))
+    if (const std::uint32_t texture = studio.thumbnails.use(shown_thumbnail(studio, *row)))
       draw.AddImageRounded(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture)), low, high,
                            {0, 0}, {1, 1}, IM_COL32_WHITE, rounding);
     const ImU32 edge = point.outlier ? ImGui::GetColorU32(p.error) : map_colour(point.part_template);

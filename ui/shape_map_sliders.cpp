@@ -9,6 +9,7 @@
 #include "ui/command_groups.h"
 #include "ui/icons.h"
 #include "ui/plot_sources.h"
+#include "ui/shape_cell.h"
 #include "ui/shape_map_view.h"
 #include "ui/studio.h"
 #include "ui/template_picture.h"
@@ -123,7 +124,7 @@ void draw_near_shape(Studio& studio, const NearShape& near, float side) {
   if (hovered) studio.ui.selection.hovering = near.shape;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(low, high, ImGui::GetColorU32(hovered ? p.hovered : p.raised), rounding);
-  if (const std::uint32_t texture = studio.thumbnails.use(wanted_thumbnail(*row)))
+  if (const std::uint32_t texture = studio.thumbnails.use(shown_thumbnail(studio, *row)))
     draw.AddImageRounded(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture)), low, high,
                          {0, 0}, {1, 1}, IM_COL32_WHITE, rounding);
   if (is_selected(studio.ui.selection, near.shape) || studio.ui.selection.hovered == near.shape)

@@ -28,6 +28,7 @@ struct SliderState {
 struct MapState {
   std::filesystem::path project;  // that this is of
   std::optional<TemplateId> of;   // the map of its shapes only; nothing: of all
+  // Those of the settings; see kept_choices.h.
   MapTool tool = MapTool::rectangle;
   bool pictures = true;
   bool sliders = true;

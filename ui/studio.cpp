@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "core/fitting/pinned_labels.h"
+#include "ui/kept_choices.h"
 #include "ui/learning_actions.h"
+#include "ui/linked_part.h"
 #include "ui/selection.h"
 
 namespace archetype {
@@ -182,6 +184,7 @@ Studio::Studio(StudioOptions given)
 void begin_frame(Studio& studio) {
   studio.frame_start = Clock::now();
   studio.ui.navigation = parse_navigation(studio.settings.navigation);
+  follow_kept_choices(studio);
   for (const JobView& ended : studio.jobs.poll()) {
     std::erase_if(studio.writers, [&](const ProjectWriter& writer) { return writer.job == ended.id; });
     if (ended.state == JobState::failed) say(studio, Severity::error, ended.title + ": " + ended.error);
@@ -200,6 +203,7 @@ void begin_frame(Studio& studio) {
   tell_problems(studio);
   studio.ui.selection.hovered = std::exchange(studio.ui.selection.hovering, std::nullopt);
   keep_selection_valid(studio);
+  link_selected_part(studio);
   if (studio.drag && !advance(*studio.drag, studio.history)) studio.drag.reset();
   if (studio.scroll && !advance(*studio.scroll, studio.ui, studio.fonts.scale)) studio.scroll.reset();
 }
@@ -209,6 +213,7 @@ void end_frame(Studio& studio) {
   keep_selection_valid(studio);
   ask_for_fit(studio);
   end_strip(studio);
+  follow_corrections(studio);
   end_inspection(studio);
   end_fit_tables(studio);
   studio.thumbnails.end_frame();
@@ -231,8 +236,8 @@ bool settled(const Studio& studio) {
          studio.rows_reader.idle() && studio.directory_reader.idle() && studio.autosave.saver.idle() &&
          studio.thumbnails.idle() && !studio.live_fit.newly_shown &&
          studio.live_fit.asked_shape == studio.shape.shape_revision && strip_settled(studio) &&
-         fit_tables_settled(studio) && inspection_settled(studio) && !cloud_busy(studio) &&
-         studio.shape_map.maker.idle() &&
+         fit_tables_settled(studio) && corrections_settled(studio) && inspection_settled(studio) &&
+         !cloud_busy(studio) && studio.shape_map.maker.idle() &&
          (studio.ui.centre != CentreView::shape ||
           !viewport_busy(studio.viewport, studio.shape.shape_revision));
 }

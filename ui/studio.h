@@ -20,6 +20,7 @@
 #include "ui/cluster_pictures.h"
 #include "ui/collection.h"
 #include "ui/command.h"
+#include "ui/corrected_shapes.h"
 #include "ui/directory_reader.h"
 #include "ui/fit_tables.h"
 #include "ui/fonts.h"
@@ -83,6 +84,7 @@ struct Studio {
   ViewportState viewport;
   CloudView cloud;
   ClusterPictures cluster_pictures;
+  CorrectedShapes corrected;
   LatencyMeter latency;
   FrameMeter frames;
   OpeningMeter opening;

@@ -1,5 +1,6 @@
 #include "ui/thumbnail_worker.h"
 
+#include <algorithm>
 #include <exception>
 #include <map>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "render/gl/headless_context.h"
 #include "render/thumbnails.h"
 #include "ui/cluster_pictures.h"
+#include "ui/picture_marks.h"
 
 namespace archetype {
 namespace {
@@ -18,17 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view plain_kind = "shape";
-
-// The number of a part as a colour of a mask, and back; grey and the backdrop are none.
-Rgb mask_colour(int part) {
-  const int value = part + 1;
-  return {static_cast<std::uint8_t>(value & 255), static_cast<std::uint8_t>(value >> 8), 0};
-}
-
-int part_of_mask(const Picture& mask, std::size_t pixel) {
-  if (mask.pixels[4 * pixel + 3] == 0) return -1;
-  return mask.pixels[4 * pixel] + 256 * mask.pixels[4 * pixel + 1] - 1;
-}
 
 glm::mat4 turned_into_frame(const ShapeFit& fit) {
   const Vec3 origin = fit.to_template(Vec3::Zero());
@@ -64,6 +55,7 @@ class ThumbnailMaker {
                                : kept_or_drawn(wanted.shape, parts_thumbnail);
     if (wanted.highlighted >= 0)
       highlight_part(picture, kept_or_drawn(wanted.shape, part_mask_thumbnail), wanted.highlighted);
+    if (wanted.place) mark_place(picture, wanted);
     return picture;
   }
 
@@ -80,6 +72,33 @@ class ThumbnailMaker {
       // The picture is shown all the same; it is made again next time.
     }
     return picture;
+  }
+
+  // On the surface, at the sample of the part that is nearest to where the place is on the fitted box.
+  void mark_place(Picture& picture, const WantedThumbnail& wanted) {
+    const auto record = project_->find_shape(wanted.shape);
+    const auto fit = project_->fit(wanted.shape);
+    if (!record || !fit) return;
+    const PartTemplate& part_template = template_of(fit->part_template);
+    const auto part = static_cast<std::size_t>(wanted.highlighted);
+    if (part >= fit->fit.parts.size() || !fit->fit.parts[part].present) return;
+    const Box mean = part_template.parts[part].mean_box();
+    const Vec3 on_box = fit->fit.parts[part].box.to_world(mean.to_local(*wanted.place));
+    const ShapeSamples samples = project_->samples(wanted.shape);
+    std::optional<Vec3> nearest;
+    for (std::size_t i = 0; i < std::min(samples.size(), fit->fit.labels.size()); ++i) {
+      if (fit->fit.labels[i] != wanted.highlighted) continue;
+      const Vec3 point = fit->fit.to_template(samples.points[i]);
+      if (!nearest || (point - on_box).squaredNorm() < (*nearest - on_box).squaredNorm()) nearest = point;
+    }
+    if (!nearest) return;
+    ThumbnailOptions options{.size = thumbnail_size};
+    options.transform = turned_into_frame(fit->fit);
+    options.framed = corners_of(framed_extent(part_template));
+    const std::vector<glm::vec3> positions = positions_of(*record);
+    const Viewport size{thumbnail_size, thumbnail_size};
+    if (const auto at = to_screen(shape_camera(positions, options), size, to_glm(*nearest)))
+      draw_ring(picture, at->x, at->y);
   }
 
   // The template that the shape is fitted with, if its parts were given colours by hand.
@@ -129,6 +148,13 @@ class ThumbnailMaker {
     return colours;
   }
 
+  // What a picture of the shape was drawn of.
+  static std::vector<glm::vec3> positions_of(const ShapeRecord& record) {
+    const ShapeFile file = read_shape(record.path);
+    if (file.mesh.is_point_set()) return make_point_geometry(file.mesh, record.frame).positions;
+    return make_mesh_geometry(file.mesh, record.frame).positions;
+  }
+
   const PartTemplate& template_of(TemplateId id) {
     const auto known = templates_.find(id);
     if (known != templates_.end()) return known->second;
@@ -142,17 +168,6 @@ class ThumbnailMaker {
 };
 
 }  // namespace
-
-void highlight_part(Picture& picture, const Picture& mask, int part) {
-  if (mask.width != picture.width || mask.height != picture.height) return;
-  for (std::size_t i = 0; 4 * i < picture.pixels.size(); ++i) {
-    if (part_of_mask(mask, i) == part) continue;
-    std::uint8_t* const pixel = &picture.pixels[4 * i];
-    const int light = (3 * pixel[0] + 6 * pixel[1] + pixel[2]) / 10;
-    for (int k = 0; k < 3; ++k) pixel[k] = static_cast<std::uint8_t>((pixel[k] + 4 * light) / 5);
-    pixel[3] = static_cast<std::uint8_t>(pixel[3] * 2 / 5);
-  }
-}
 
 ThumbnailSource thumbnail_source(const Project& project, ShapeId shape) {
   ThumbnailSource source;

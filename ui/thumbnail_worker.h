@@ -24,9 +24,10 @@ using HandColours = std::map<std::string, std::vector<int>>;
 
 struct WantedThumbnail {
   ShapeId shape = 0;
-  std::uint64_t stamp = 0;  // of the file and the fit that it shows
-  bool fitted = false;      // false: the plain surface
-  int highlighted = -1;     // the part whose colours are kept while all others are dimmed; -1: none is
+  std::uint64_t stamp = 0;         // of the file and the fit that it shows
+  bool fitted = false;             // false: the plain surface
+  int highlighted = -1;            // the part whose colours are kept while all others are dimmed; -1: none is
+  std::optional<Vec3> place = {};  // of the highlighted part's mean box, in its template: marked by a ring
   std::shared_ptr<const HandColours> colours = {};  // null: nobody chose one
   friend bool operator==(const WantedThumbnail&, const WantedThumbnail&) = default;
 };
@@ -52,9 +53,6 @@ ThumbnailSource thumbnail_source(const Project& project, ShapeId shape);
 // shows what was, and would never be made again. Whether it did.
 bool keep_thumbnail(Project& project, ShapeId shape, const std::string& kind, const Picture& picture,
                     const ThumbnailSource& source);
-
-// Dims all but one part; `mask` holds the number of the part at each pixel.
-void highlight_part(Picture& picture, const Picture& mask, int part);
 
 // Pictures that the project has already are taken from there; new ones are kept there.
 class ThumbnailWorker {

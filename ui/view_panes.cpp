@@ -108,10 +108,13 @@ void take_wishes(Studio& studio, const ViewportContent& content, const std::vect
 
 void follow_flight(Studio& studio, const ViewportContent& content, const PlacedPane& placed) {
   ViewPane& pane = studio.viewport.panes[placed.index];
-  const auto extent = extent_to_frame(content);
-  if (!pane.framed && extent && studio.viewport.display.shape_revision != 0) {
-    frame(pane.camera, placed.viewport(), extent->first, extent->second);
-    pane.framed = true;
+  if (!pane.framed && studio.viewport.display.shape_revision != 0) {
+    ViewportContent whole = content;  // whatever is selected: a pane shows the shape when it is first seen
+    whole.selected.reset();
+    if (const auto extent = extent_to_frame(whole)) {
+      frame(pane.camera, placed.viewport(), extent->first, extent->second);
+      pane.framed = true;
+    }
   }
   if (pane.flight && !advance_flight(*pane.flight, pane.camera)) pane.flight.reset();
 }

@@ -42,4 +42,16 @@ std::vector<bool> allowed_templates(const ShapeCorrection& correction,
   return allowed;
 }
 
+bool can_be_heeded(const ShapeCorrection& correction, std::span<const PartTemplate> templates) {
+  const std::string& wanted = correction.part_template;
+  if (!wanted.empty() && std::ranges::find(templates, wanted, &PartTemplate::name) == templates.end())
+    return false;
+  return std::ranges::all_of(correction.pinned, [&](const auto& pinned) {
+    const std::string& part = pinned.first;
+    return part.empty() || std::ranges::any_of(templates, [&](const PartTemplate& each) {
+             return std::ranges::find(each.parts, part, &TemplatePart::name) != each.parts.end();
+           });
+  });
+}
+
 }  // namespace archetype

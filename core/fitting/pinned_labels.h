@@ -30,4 +30,7 @@ std::array<double, 4> pinned_yaw_costs(std::array<double, 4> costs, const ShapeC
 std::vector<bool> allowed_templates(const ShapeCorrection& correction,
                                     std::span<const std::string> template_names);
 
+// Whether all that the correction names is there: its template, and each part in one of them at least.
+bool can_be_heeded(const ShapeCorrection& correction, std::span<const PartTemplate> templates);
+
 }  // namespace archetype

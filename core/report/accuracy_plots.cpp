@@ -125,6 +125,7 @@ Figure plot_accuracy_by_part(const PlotSources& sources) {
     right.y.push_back(correct / all);
     right.notes.push_back(note);
     plot.categories.push_back(part.part_template + " / " + part.part);
+    plot.parts.push_back({part.part_template, part.part});
   }
   plot.series.push_back(std::move(right));
   return {.panels = {std::move(plot)}};
@@ -132,6 +133,8 @@ Figure plot_accuracy_by_part(const PlotSources& sources) {
 
 Figure plot_accuracy_by_shape(const PlotSources& sources) {
   const LabellingReport& report = sources.labelling->report;
+  const std::vector<ShapeId>& ids = sources.labelling->shapes;
+  const bool known = ids.size() == report.shapes.size();
   std::vector<double> values;
   for (const ShapeAccuracy& shape : report.shapes) values.push_back(shape.own.by_area);
   Plot spread;
@@ -139,7 +142,7 @@ Figure plot_accuracy_by_shape(const PlotSources& sources) {
   spread.note = mean_text(report);
   spread.x = {.label = "accuracy by area", .low = 0, .high = 1, .percent = true};
   spread.y = {.label = "shapes", .whole = true};
-  PlotSeries bars = histogram(values, 0, 1, 20);
+  PlotSeries bars = histogram(values, 0, 1, 20, known ? std::span(ids) : std::span<const ShapeId>());
   bars.colour = series_colour(0);
   spread.series.push_back(std::move(bars));
 
@@ -155,6 +158,7 @@ Figure plot_accuracy_by_shape(const PlotSources& sources) {
     own.x.push_back(static_cast<double>(worst.categories.size()));
     own.y.push_back(shape->own.by_area);
     worst.categories.push_back(shape->name);
+    if (known) own.shapes.push_back({ids[static_cast<std::size_t>(shape - report.shapes.data())]});
   }
   worst.series.push_back(std::move(own));
   return {.panels = {std::move(spread), std::move(worst)}, .columns = 2};

@@ -65,8 +65,24 @@ PlotSeries gaussian(double mean, double stddev, double low, double high, double 
   return curve;
 }
 
-Plot parameter_plot(const std::string& title, const std::vector<double>& values, double mean, double stddev,
+struct Values {
+  std::vector<double> values;
+  std::vector<ShapeId> shapes;  // of each
+  void add(double value, const FitTableRow& row) {
+    values.push_back(value);
+    shapes.push_back(row.summary.shape);
+  }
+};
+
+std::vector<ShapeId> shapes_of(const std::vector<const FitTableRow*>& rows) {
+  std::vector<ShapeId> shapes;
+  for (const FitTableRow* row : rows) shapes.push_back(row->summary.shape);
+  return shapes;
+}
+
+Plot parameter_plot(const std::string& title, const Values& of, double mean, double stddev,
                     const Rgb& colour) {
+  const std::vector<double>& values = of.values;
   Plot plot;
   plot.title = title;
   plot.y = {.label = "shapes"};
@@ -75,7 +91,7 @@ Plot parameter_plot(const std::string& title, const std::vector<double>& values,
     low = std::min(low, mean - 2.5 * stddev);
     high = std::max(high, mean + 2.5 * stddev);
   }
-  PlotSeries bars = histogram(values, low, high, bins);
+  PlotSeries bars = histogram(values, low, high, bins, of.shapes);
   bars.name = "fits";
   bars.colour = colour;
   plot.x.low = low;
@@ -87,17 +103,21 @@ Plot parameter_plot(const std::string& title, const std::vector<double>& values,
 
 }  // namespace
 
-PlotSeries histogram(std::span<const double> values, double low, double high, std::size_t count) {
+PlotSeries histogram(std::span<const double> values, double low, double high, std::size_t count,
+                     std::span<const ShapeId> shapes) {
   PlotSeries series;
   series.kind = SeriesKind::bars;
   series.bar_width = (high - low) / static_cast<double>(count);
   for (std::size_t i = 0; i < count; ++i)
     series.x.push_back(low + series.bar_width * (static_cast<double>(i) + 0.5));
   series.y.assign(count, 0);
-  for (const double value : values) {
+  if (!shapes.empty()) series.shapes.resize(count);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double value = values[i];
     if (!(value >= low && value <= high)) continue;
-    const auto bin = static_cast<std::size_t>((value - low) / series.bar_width);
-    ++series.y[std::min(bin, count - 1)];
+    const auto bin = std::min(static_cast<std::size_t>((value - low) / series.bar_width), count - 1);
+    ++series.y[bin];
+    if (!shapes.empty()) series.shapes[bin].push_back(shapes[i]);
   }
   return series;
 }
@@ -110,12 +130,14 @@ Figure plot_members(const PlotSources& sources) {
   PlotSeries outliers{.name = "outliers", .kind = SeriesKind::bars, .colour = series_colour(1)};
   for (std::size_t t = 0; t < table.templates.size(); ++t) {
     const auto members = members_of(table, t);
-    const auto lost = std::ranges::count_if(
-        members, [](const FitTableRow* row) { return row->summary.status == FitStatus::outlier; });
+    std::vector<ShapeId>& found = fitted.shapes.emplace_back();
+    std::vector<ShapeId>& lost = outliers.shapes.emplace_back();
+    for (const FitTableRow* row : members)
+      (row->summary.status == FitStatus::outlier ? lost : found).push_back(row->summary.shape);
     plot.categories.push_back(table.templates[t].part_template.name);
     for (PlotSeries* series : {&fitted, &outliers}) series->x.push_back(static_cast<double>(t));
-    fitted.y.push_back(static_cast<double>(members.size()) - static_cast<double>(lost));
-    outliers.y.push_back(static_cast<double>(lost));
+    fitted.y.push_back(static_cast<double>(found.size()));
+    outliers.y.push_back(static_cast<double>(lost.size()));
     fitted.notes.push_back(
         share_text(static_cast<double>(members.size()) / static_cast<double>(table.rows.size())) +
         " of all shapes take it");
@@ -147,7 +169,7 @@ Figure plot_energies(const PlotSources& sources) {
     plot.note = note;
     plot.x = {.label = "energy", .low = low, .high = high};
     plot.y = {.label = "shapes", .whole = true};
-    PlotSeries bars = histogram(values, low, high, bins);
+    PlotSeries bars = histogram(values, low, high, bins, shapes_of(members));
     bars.colour = series_colour(t);
     plot.series.push_back(std::move(bars));
     figure.panels.push_back(std::move(plot));
@@ -171,6 +193,7 @@ Figure plot_energy_terms(const PlotSources& sources) {
       for (const FitTableRow* row : members) sum += terms[i].value(row->summary.energy);
       series.x.push_back(static_cast<double>(i));
       series.y.push_back(sum / static_cast<double>(members.size()));
+      series.shapes.push_back(shapes_of(members));
     }
     plot.series.push_back(std::move(series));
   }
@@ -189,13 +212,16 @@ Figure plot_part_presence(const PlotSources& sources) {
       .name = "existence in the template", .kind = SeriesKind::bars, .colour = series_colour(4)};
   for (std::size_t p = 0; p < part_template.parts.size(); ++p) {
     plot.categories.push_back(part_template.parts[p].name);
-    std::size_t present = 0;
+    plot.parts.push_back({part_template.name, part_template.parts[p].name});
+    std::vector<ShapeId>& having = found.shapes.emplace_back();
     double share = 0;
     for (const FitTableRow* row : members) {
       const PartValues& values = table.parts_of(*row)[p];
-      present += values.present;
-      share += values.present ? values.share : 0;
+      if (!values.present) continue;
+      having.push_back(row->summary.shape);
+      share += values.share;
     }
+    const std::size_t present = having.size();
     for (PlotSeries* series : {&found, &learned}) series->x.push_back(static_cast<double>(p));
     found.y.push_back(members.empty() ? 0
                                       : static_cast<double>(present) / static_cast<double>(members.size()));
@@ -222,10 +248,10 @@ Figure plot_part_parameters(const PlotSources& sources) {
   constexpr std::array sizes{"Half width (x)", "Half height (y)", "Half depth (z)"};
   for (const bool is_size : {false, true}) {
     for (int axis = 0; axis < 3; ++axis) {
-      std::vector<double> values;
+      Values values;
       for (const FitTableRow* row : members_of(table, sources.part_template)) {
         const PartValues& found = table.parts_of(*row)[sources.part];
-        if (found.present) values.push_back(is_size ? found.box.half_extent[axis] : found.box.centre[axis]);
+        if (found.present) values.add(is_size ? found.box.half_extent[axis] : found.box.centre[axis], *row);
       }
       const Gaussian3& learned = is_size ? part.scale : part.position;
       const auto at = static_cast<std::size_t>(axis);
@@ -233,7 +259,7 @@ Figure plot_part_parameters(const PlotSources& sources) {
                                  learned.stddev[axis], colour);
       char note[96];
       std::snprintf(note, sizeof note, "template %.3g ± %.2g", learned.mean[axis], learned.stddev[axis]);
-      plot.note = count_of(values.size(), "shape") + ", " + note;
+      plot.note = count_of(values.values.size(), "shape") + ", " + note;
       figure.panels.push_back(std::move(plot));
     }
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/project.h"
 #include "core/model/part_colours.h"
 
 namespace archetype {
@@ -21,6 +22,15 @@ struct PlotSeries {
   std::vector<double> x = {};
   std::vector<double> y = {};
   std::vector<std::string> notes = {};  // what else there is to say of a point; empty: nothing of any
+  // The shapes that a point stands for, in the collection's order; empty: of none is it known.
+  std::vector<std::vector<ShapeId>> shapes = {};
+};
+
+// A part by the names that people call it.
+struct NamedPart {
+  std::string part_template;
+  std::string part;
+  friend bool operator==(const NamedPart&, const NamedPart&) = default;
 };
 
 struct PlotAxis {
@@ -48,6 +58,7 @@ struct Plot {
   // Not empty: all series are bars that lie beside these names, each at the one that its x is the index of.
   // The values are still those of `y`, though that axis lies flat then.
   std::vector<std::string> categories = {};
+  std::vector<NamedPart> parts = {};  // that the categories are; empty: they are none
   std::vector<PlotSeries> series = {};
   std::optional<PlotMatrix> matrix = {};  // drawn instead of axes and series
 };

@@ -124,7 +124,8 @@ std::string told(const Plot& plot, const PlotSeries& series, std::size_t i) {
   return text;
 }
 
-void draw_bars(const Axes& axes, const PlotSeries& series) {
+void draw_bars(const Axes& axes, std::size_t number) {
+  const PlotSeries& series = axes.plot.series[number];
   const double base = std::clamp(0.0, axes.y.low, axes.y.high);
   for (std::size_t i = 0; i < point_count(series); ++i) {
     if (!drawn(series, i)) continue;
@@ -138,11 +139,17 @@ void draw_bars(const Axes& axes, const PlotSeries& series) {
     if (!(b.x > a.x)) continue;
     const float gap = std::min(0.5f * axes.canvas.space.scale, (b.x - a.x) * 0.1f);
     axes.canvas.out.marks.emplace_back(DrawnArea{{a.x + gap, b.y}, {b.x - gap, a.y}, series.colour, 0.75f});
-    axes.canvas.out.values.push_back({{a.x, axes.area.low.y}, {b.x, a.y}, told(axes.plot, series, i)});
+    axes.canvas.out.values.push_back({.low = {a.x, axes.area.low.y},
+                                      .high = {b.x, a.y},
+                                      .text = told(axes.plot, series, i),
+                                      .series = number,
+                                      .point = i,
+                                      .bar = DrawnBar{{a.x + gap, b.y}, {b.x - gap, a.y}}});
   }
 }
 
-void draw_points(const Axes& axes, const PlotSeries& series) {
+void draw_points(const Axes& axes, std::size_t number) {
+  const PlotSeries& series = axes.plot.series[number];
   const float scale = axes.canvas.space.scale;
   const bool has_line = series.kind != SeriesKind::dots;
   const bool has_dots = series.kind != SeriesKind::line;
@@ -159,9 +166,11 @@ void draw_points(const Axes& axes, const PlotSeries& series) {
       continue;
     }
     run.push_back(axes.at(series.x[i], series.y[i]));
-    axes.canvas.out.values.push_back({{run.back().x - reach, run.back().y - reach},
-                                      {run.back().x + reach, run.back().y + reach},
-                                      told(axes.plot, series, i)});
+    axes.canvas.out.values.push_back({.low = {run.back().x - reach, run.back().y - reach},
+                                      .high = {run.back().x + reach, run.back().y + reach},
+                                      .text = told(axes.plot, series, i),
+                                      .series = number,
+                                      .point = i});
   }
   end_run();
   for (std::size_t i = 0; i < point_count(series) && has_dots; ++i)
@@ -208,10 +217,10 @@ void draw_axes_plot(const PlotCanvas& canvas, const Plot& plot, const PlotArea& 
   if (!plot.x.label.empty())
     canvas.text({axes.area.high.x, area.high.y - 1.2f * line}, short_line(canvas, plot.x.label, area.width()),
                 Ink::muted, 1);
-  for (const PlotSeries& series : plot.series)
-    if (series.kind == SeriesKind::bars) draw_bars(axes, series);
-  for (const PlotSeries& series : plot.series)
-    if (series.kind != SeriesKind::bars) draw_points(axes, series);
+  for (std::size_t s = 0; s < plot.series.size(); ++s)
+    if (plot.series[s].kind == SeriesKind::bars) draw_bars(axes, s);
+  for (std::size_t s = 0; s < plot.series.size(); ++s)
+    if (plot.series[s].kind != SeriesKind::bars) draw_points(axes, s);
 }
 
 }  // namespace archetype

@@ -65,15 +65,21 @@ void draw_flat_frame(const PlotCanvas& canvas, const Plot& plot, const PlotArea&
   canvas.rule(area.low, {area.low.x, area.high.y}, Ink::muted);
 }
 
-void draw_bar(const PlotCanvas& canvas, const Plot& plot, const PlotSeries& series, std::size_t i,
+void draw_bar(const PlotCanvas& canvas, const Plot& plot, std::size_t number, std::size_t i,
               const PlotArea& bar, float free_to) {
+  const PlotSeries& series = plot.series[number];
   canvas.out.marks.emplace_back(DrawnArea{bar.low, bar.high, series.colour, 0.9f});
   std::string told = plot.categories[static_cast<std::size_t>(series.x[i])];
   const std::string value = value_text(plot.y, series.y[i]);
   if (!series.name.empty()) told.append("\n").append(series.name);
   told.append("\n").append(plot.y.label).append(plot.y.label.empty() ? "" : ": ").append(value);
   if (i < series.notes.size() && !series.notes[i].empty()) told.append("\n").append(series.notes[i]);
-  canvas.out.values.push_back({bar.low, {free_to, bar.high.y}, told});
+  canvas.out.values.push_back({.low = bar.low,
+                               .high = {free_to, bar.high.y},
+                               .text = told,
+                               .series = number,
+                               .point = i,
+                               .bar = DrawnBar{bar.low, bar.high, false}});
   const float line = canvas.space.line;
   if (bar.height() < 0.75f * line) return;
   const float top = (bar.low.y + bar.high.y - line) / 2;
@@ -142,8 +148,8 @@ void draw_bars_plot(const PlotCanvas& canvas, const Plot& plot, const PlotArea& 
       const float top = area.low.y + row * (static_cast<float>(c) + 0.1f) + thick * static_cast<float>(s);
       const float base = x_of(0);
       const float end = x_of(series.y[i]);
-      draw_bar(canvas, plot, series, i,
-               {{std::min(base, end), top}, {std::max(base, end), top + 0.94f * thick}}, given.high.x);
+      draw_bar(canvas, plot, s, i, {{std::min(base, end), top}, {std::max(base, end), top + 0.94f * thick}},
+               given.high.x);
     }
   }
 }
@@ -180,7 +186,9 @@ void draw_matrix_plot(const PlotCanvas& canvas, const PlotMatrix& matrix, const 
       if (!std::isfinite(value)) continue;
       canvas.out.marks.emplace_back(DrawnArea{low, high, matrix_colour(value), 1});
       canvas.out.values.push_back(
-          {low, high, matrix.rows[r] + " / " + matrix.columns[c] + "\n" + percent_text(value) + " %"});
+          {.low = low,
+           .high = high,
+           .text = matrix.rows[r] + " / " + matrix.columns[c] + "\n" + percent_text(value) + " %"});
       if (!numbers) continue;
       const Rgb ink = value > 0.55 ? Rgb{255, 255, 255} : Rgb{30, 30, 30};
       canvas.out.marks.emplace_back(DrawnText{{low.x + wide / 2, top + row / 2 - line / 2},

@@ -152,7 +152,9 @@ PlotDrawing draw_figure(const Figure& figure, const PlotSpace& space) {
       height = std::max(height, readable_height(figure.panels[i], space.line));
     for (std::size_t i = first; i < end; ++i) {
       const float left = static_cast<float>(i - first) * (width + gap);
+      const std::size_t before = out.values.size();
       draw_into(out, figure.panels[i], space, {{left, top}, {left + width, top + height}});
+      for (std::size_t v = before; v < out.values.size(); ++v) out.values[v].panel = i;
     }
     top += height + gap;
   }

@@ -46,11 +46,23 @@ struct DrawnText {
 };
 using DrawnMark = std::variant<DrawnLine, DrawnArea, DrawnSpot, DrawnText>;
 
+// The bar of a value: from the axis at its foot to its end.
+struct DrawnBar {
+  PlotPoint low;
+  PlotPoint high;
+  bool upright = true;  // it grows upwards, else to the right
+};
+
 // A place that has something to say when the mouse is there.
 struct HoverValue {
   PlotPoint low;
   PlotPoint high;
   std::string text;  // lines
+  // What of the figure it is; of a matrix neither series nor point.
+  std::size_t panel = 0;
+  std::size_t series = 0;
+  std::size_t point = 0;
+  std::optional<DrawnBar> bar = {};
 };
 
 struct PlotDrawing {

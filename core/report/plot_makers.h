@@ -28,7 +28,8 @@ Figure plot_correspondence(const PlotSources& sources);  // figure 10
 Figure plot_correspondence_by_landmark(const PlotSources& sources);
 
 // Equal bins from `low` to `high` (low < high): as bars of kind SeriesKind::bars. Values outside, and what is
-// not finite, are left out.
-PlotSeries histogram(std::span<const double> values, double low, double high, std::size_t bins);
+// not finite, are left out. `shapes`: the one of each value, or none at all.
+PlotSeries histogram(std::span<const double> values, double low, double high, std::size_t bins,
+                     std::span<const ShapeId> shapes = {});
 
 }  // namespace archetype

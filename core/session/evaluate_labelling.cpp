@@ -72,7 +72,10 @@ class Evaluation {
                                        .compute = compute,
                                        .finish = [this](std::size_t i) { take(slot(i)); }});
     result_.cancelled = !all || control.cancelled();
-    if (result_.cancelled) return std::move(result_);
+    if (result_.cancelled) {
+      result_.shapes.clear();
+      return std::move(result_);
+    }
     std::vector<int> labels;
     for (const EvaluatedPart& part : result_.parts) labels.push_back(part.label);
     result_.report = measure_labelling(shapes_, labels);
@@ -98,6 +101,7 @@ class Evaluation {
     switch (work.outcome) {
       case Outcome::measured:
         shapes_.push_back({work.shape.name, renumbered(work)});
+        result_.shapes.push_back(work.shape.id);
         break;
       case Outcome::without_truth:
         result_.without_truth.push_back(work.shape.name);

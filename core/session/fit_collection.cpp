@@ -17,6 +17,7 @@
 #include "core/session/fit_state.h"
 #include "core/session/ordered_pipeline.h"
 #include "core/session/read_imported.h"
+#include "core/session/yaw_energies.h"
 
 namespace archetype {
 
@@ -72,13 +73,33 @@ class FitRun {
       : project_(project), templates_(templates), options_(options), control_(control) {
     stop_only_.stop = control.stop;
     corrections_ = project.corrections();
+    state_ = fit_state(templates_, options_);
     for (const PartTemplate& each : templates) template_names_.push_back(each.name);
   }
 
   FitCollectionReport run(unsigned threads) {
-    state_ = fit_state(templates_, options_);
     template_ids_ = store_request(project_, templates_, options_);
-    find_work();
+    find_work(project_.shape_ids());
+    return fit_todo(threads);
+  }
+
+  // The templates are those that the project has, by these ids.
+  FitCollectionReport run_corrected(std::span<const ShapeId> shapes, std::vector<TemplateId> template_ids,
+                                    unsigned threads) {
+    template_ids_ = std::move(template_ids);
+    std::vector<ShapeId> meant;
+    for (const ShapeId id : shapes) {
+      const ShapeCorrection* correction = correction_of(id);
+      if (project_.fit(id) && (!correction || can_be_heeded(*correction, templates_))) meant.push_back(id);
+    }
+    find_work(meant);
+    return fit_todo(threads);
+  }
+
+ private:
+  Work& slot(std::size_t i) { return ring_[i % ring_.size()]; }
+
+  FitCollectionReport fit_todo(unsigned threads) {
     if (!agree_on_yaws(threads)) {
       report_.cancelled = true;
       return std::move(report_);
@@ -93,20 +114,17 @@ class FitRun {
     return std::move(report_);
   }
 
- private:
-  Work& slot(std::size_t i) { return ring_[i % ring_.size()]; }
-
-  // Shapes without a fit of these templates and options, or without labels.
-  void find_work() {
+  // Of the shapes, those without a fit of these templates, options and corrections, or without labels.
+  void find_work(const std::vector<ShapeId>& shapes) {
     std::vector<ShapeId> done;
     for (const FitSummary& fit : project_.fits()) {
       if (fit.state == state_of(fit.shape) && fit.has_labels) done.push_back(fit.shape);
     }
-    report_.kept = done.size();
     std::ranges::sort(done);
-    for (const ShapeId id : project_.shape_ids()) {
+    for (const ShapeId id : shapes) {
       if (!std::ranges::binary_search(done, id)) todo_.push_back(id);
     }
+    report_.kept = shapes.size() - todo_.size();
   }
 
   const ShapeCorrection* correction_of(ShapeId id) const {
@@ -120,11 +138,18 @@ class FitRun {
     return correction->mark == ShapeMark::outlier ? FitStatus::outlier : FitStatus::learned;
   }
 
-  // A fit of this run's templates, options and corrections.
-  std::optional<FitRecord> stored_fit(ShapeId id) const {
+  // A fit of this run's templates, options and corrections; or one that only a mark tells apart, which
+  // counts for learning and leaves the fit as it is.
+  std::optional<FitRecord> same_fit(ShapeId id) const {
     std::optional<FitRecord> stored = project_.fit(id);
-    if (stored && stored->state != state_of(id)) stored.reset();
-    return stored;
+    if (!stored) return stored;
+    const ShapeCorrection* now = correction_of(id);
+    ShapeCorrection before = now ? *now : ShapeCorrection{};
+    for (const ShapeMark mark : {ShapeMark::none, ShapeMark::outlier, ShapeMark::learn}) {
+      before.mark = mark;
+      if (stored->state == corrected_fit_state(state_, &before)) return stored;
+    }
+    return std::nullopt;
   }
 
   // From shapes spread over the whole collection, whatever is done already: a run that was stopped goes on
@@ -132,15 +157,33 @@ class FitRun {
   bool agree_on_yaws(unsigned threads) {
     const auto need_not_ask = [this](ShapeId id) {
       const ShapeCorrection* correction = correction_of(id);
-      return (correction && correction->yaw_quarters) || stored_fit(id).has_value();
+      return (correction && correction->yaw_quarters) || same_fit(id).has_value();
     };
     if (std::ranges::all_of(todo_, need_not_ask)) return true;
     const std::vector<ShapeId> ids = project_.shape_ids();
     const std::size_t count = std::min(ids.size(), AgreedYaws::most_references);
+    std::vector<ShapeId> asked;
     std::vector<ShapeSamples> references;
-    for (std::size_t i = 0; i < count && !control_.cancelled(); ++i)
-      references.push_back(project_.samples(ids[i * ids.size() / count]));
-    std::vector<std::array<double, 4>> energies(references.size());
+    for (std::size_t i = 0; i < count && !control_.cancelled(); ++i) {
+      asked.push_back(ids[i * ids.size() / count]);
+      references.push_back(project_.samples(asked.back()));
+    }
+    if (control_.cancelled()) return false;
+    const ContentHash state = yaw_energies_state(project_, state_, asked);
+    std::optional<YawEnergies> energies = kept_yaw_energies(project_, state, count);
+    if (!energies) {
+      energies = find_yaw_energies(references, threads);
+      if (!energies) return false;
+      keep_yaw_energies(project_, state, *energies);
+    }
+    agreed_.emplace(references, *energies);
+    return true;
+  }
+
+  // Nothing if cancelled.
+  std::optional<YawEnergies> find_yaw_energies(const std::vector<ShapeSamples>& references,
+                                               unsigned threads) const {
+    YawEnergies energies(references.size());
     const bool all = parallel_for(references.size(), threads, control_, "finding which way shapes face",
                                   [&](std::size_t i) {
                                     try {
@@ -149,9 +192,8 @@ class FitRun {
                                     } catch (const NumericError&) {  // to be refused when its turn comes
                                     }
                                   });
-    if (!all || control_.cancelled()) return false;
-    agreed_.emplace(references, energies);
-    return true;
+    if (!all || control_.cancelled()) return std::nullopt;
+    return energies;
   }
 
   void load(std::size_t i) {
@@ -159,13 +201,13 @@ class FitRun {
     work.shape = project_.find_shape(todo_[i]).value();
     work.samples = project_.samples(todo_[i]);
     work.correction = correction_of(todo_[i]);
-    std::optional<FitRecord> stored = stored_fit(todo_[i]);
+    std::optional<FitRecord> stored = same_fit(todo_[i]);
     if (!stored) return;
     const auto id = std::ranges::find(template_ids_, stored->part_template);
     if (id == template_ids_.end()) return;
     work.fit = std::move(stored->fit);
     work.part_template = static_cast<std::size_t>(id - template_ids_.begin());
-    work.fit_is_stored = true;
+    work.fit_is_stored = stored->state == state_of(todo_[i]);
   }
 
   void compute(Work& work) const {
@@ -279,6 +321,19 @@ FitCollectionReport fit_collection(Project& project, const std::vector<PartTempl
                                    const FitOptions& options, unsigned threads, const JobControl& control) {
   if (templates.empty()) throw PreconditionError("fit_collection needs at least one template");
   return FitRun(project, templates, options, control).run(threads);
+}
+
+FitCollectionReport fit_corrected(Project& project, std::span<const ShapeId> shapes, unsigned threads,
+                                  const JobControl& control) {
+  std::vector<PartTemplate> templates;
+  std::vector<TemplateId> ids;
+  for (TemplateRecord& each : project.templates()) {
+    ids.push_back(each.id);
+    templates.push_back(std::move(each.part_template));
+  }
+  if (templates.empty()) return {};
+  const FitOptions options;
+  return FitRun(project, templates, options, control).run_corrected(shapes, std::move(ids), threads);
 }
 
 }  // namespace archetype

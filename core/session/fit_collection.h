@@ -1,6 +1,8 @@
 // Fits a set of templates to every shape of a project and labels the faces (FitTemplateSet of figure 2).
 #pragma once
 
+#include <span>
+
 #include "core/base/job_control.h"
 #include "core/fitting/fit_options.h"
 #include "core/io/project.h"
@@ -21,5 +23,11 @@ struct FitCollectionReport {
 // status. A shape whose corrections have changed is fitted anew.
 FitCollectionReport fit_collection(Project& project, const std::vector<PartTemplate>& templates,
                                    const FitOptions& options, unsigned threads, const JobControl& control);
+
+// The same for these shapes alone, with the templates and the options that the project has (FitOptions{}):
+// those whose corrections have changed since they were fitted. A shape without a fit stays without, and one
+// whose correction names a template or a part that is not there (it was renamed, say) keeps the fit it has.
+FitCollectionReport fit_corrected(Project& project, std::span<const ShapeId> shapes, unsigned threads,
+                                  const JobControl& control);
 
 }  // namespace archetype

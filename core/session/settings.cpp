@@ -50,6 +50,17 @@ std::vector<Field> fields() {
       {"bottom_height", Number{&Settings::bottom_height, 60, 2000}},
       {"show_bottom", Switch{&Settings::show_bottom}},
       {"cell_size", Number{&Settings::cell_size, 48, 256}},
+      {"map_tool", Choice{&Settings::map_tool, {"rectangle", "lasso"}}},
+      {"map_pictures", Switch{&Settings::map_pictures}},
+      {"map_sliders", Switch{&Settings::map_sliders}},
+      {"plot", Choice{&Settings::plot, {}}},
+      {"inspect_colour",
+       Choice{&Settings::inspect_colour, {"part", "plain", "distance", "features", "smoothness"}}},
+      {"inspect_fitted_boxes", Switch{&Settings::inspect_fitted_boxes}},
+      {"inspect_mean_boxes", Switch{&Settings::inspect_mean_boxes}},
+      {"inspect_template_points", Switch{&Settings::inspect_template_points}},
+      {"inspect_correspondences", Switch{&Settings::inspect_correspondences}},
+      {"inspect_samples", Switch{&Settings::inspect_samples}},
       {"last_folder", Choice{&Settings::last_folder, {}}},
   };
 }

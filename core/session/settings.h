@@ -20,7 +20,18 @@ struct Settings {
   double right_width = 340;  // of the inspector
   double bottom_height = 170;
   bool show_bottom = true;
-  double cell_size = 112;           // of the thumbnails
+  double cell_size = 112;              // of the thumbnails
+  std::string map_tool = "rectangle";  // rectangle | lasso: what selects on the map of the collection
+  bool map_pictures = true;
+  bool map_sliders = true;
+  std::string plot = "members";         // that is shown
+  std::string inspect_colour = "part";  // part | plain | distance | features | smoothness
+  // What is drawn of a single fit.
+  bool inspect_fitted_boxes = true;
+  bool inspect_mean_boxes = false;
+  bool inspect_template_points = false;
+  bool inspect_correspondences = false;
+  bool inspect_samples = false;
   std::vector<std::string> recent;  // projects and folders, newest first
   std::string last_folder;          // of the file browser
   std::map<std::string, std::string>

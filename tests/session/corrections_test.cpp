@@ -273,3 +273,53 @@ TEST_CASE("nothing can be learned where every shape is an outlier") {
   for (const ShapeId id : chairs.project.shape_ids()) chairs.correct(id, {.mark = ShapeMark::outlier});
   CHECK_THROWS_WITH_AS(chairs.learn(), doctest::Contains("outlier"), Error);
 }
+
+TEST_CASE("shapes that were corrected are fitted anew alone, as they would be with all others") {
+  Chairs chairs(6);
+  chairs.fit();
+  const auto ids = chairs.project.shape_ids();
+  const auto record = chairs.project.find_shape(ids[1]);
+  chairs.correct(ids[1], {.pinned = {{"back", {0, 1, 2, 3}}}, .sampling = sampling_of(*record)});
+  chairs.correct(ids[2], {.yaw_quarters = 3});
+  chairs.correct(ids[3], {.mark = ShapeMark::outlier});
+  chairs.correct(ids[4], {.part_template = "bench"});
+  chairs.correct(ids[5], {.yaw_quarters = 1});
+  const std::vector<ShapeId> meant{ids[0], ids[1], ids[2], ids[3], ids[4], 999};
+  const FitCollectionReport report = fit_corrected(chairs.project, meant, 2, {});
+  CHECK(report.fitted == 4);
+  CHECK(report.kept == 1);
+  CHECK(chairs.project.fit(ids[2])->fit.yaw_quarters == 3);
+  CHECK(chairs.project.fit(ids[3])->status == FitStatus::outlier);
+  CHECK(chairs.template_of(ids[4]) == "bench");
+  std::vector<FitRecord> alone;
+  std::vector<std::vector<std::int16_t>> labels;
+  for (std::size_t i = 0; i < 5; ++i) {
+    alone.push_back(chairs.project.fit(ids[i]).value());
+    labels.push_back(chairs.project.labels(ids[i]).value());
+  }
+  CHECK(chairs.fit().fitted == 1);  // the one that was not meant
+  chairs.project.clear_fits();
+  chairs.project.set_setting("fit.yaw_energies", "damaged");  // they are found again
+  CHECK(chairs.fit().fitted == 6);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const FitRecord together = chairs.project.fit(ids[i]).value();
+    CHECK(together.state == alone[i].state);
+    CHECK(together.status == alone[i].status);
+    CHECK(together.fit.labels == alone[i].fit.labels);
+    CHECK(together.fit.energy == alone[i].fit.energy);
+    CHECK(chairs.project.labels(ids[i]) == labels[i]);
+  }
+}
+
+TEST_CASE("a correction that names what is not there leaves the fit of its shape as it is") {
+  Chairs chairs(2);
+  chairs.fit();
+  const auto ids = chairs.project.shape_ids();
+  chairs.correct(ids[0], {.part_template = "sofa"});
+  chairs.correct(ids[1], {.pinned = {{"rudder", {1, 2}}}});
+  const ContentHash before = chairs.project.fit(ids[0])->state;
+  CHECK(fit_corrected(chairs.project, ids, 2, {}).fitted == 0);
+  CHECK(chairs.project.fit(ids[0])->state == before);
+  Project none = Project::in_memory();
+  CHECK(fit_corrected(none, ids, 2, {}).fitted == 0);
+}

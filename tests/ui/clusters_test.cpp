@@ -7,6 +7,7 @@
 #include "core/session/actions.h"
 #include "tests/ui/test_window.h"
 #include "ui/clusters_view.h"
+#include "ui/picture_marks.h"
 
 using namespace archetype;
 using archetype::test::TestWindow;
@@ -271,26 +272,42 @@ TEST_CASE("Shapes are sorted by the menu, and by commands of scripts") {
   CHECK(shown_rows(window.studio()).size() == 6);
 }
 
-TEST_CASE("Ten thousand rows: only the cells in sight are drawn, all members or not") {
+TEST_CASE("The menu of a shape does what it says with that shape") {
   TestWindow window;
-  CollectionRows& content = window.studio().collection.content;
-  window.studio().collection.path = window.scratch().path() / "large.archetype";
-  for (ShapeId id = 1; id <= 10'000; ++id) {
-    FitSummary fit;
-    fit.shape = id;
-    fit.status = id % 10 == 0 ? FitStatus::outlier : FitStatus::fitted;
-    fit.energy.features = 1.0 / static_cast<double>(id);
-    content.rows.push_back({id, "shape_" + std::to_string(id), 1000, {}, fit});
-  }
-  ++window.studio().collection.revision;
-  REQUIRE(run_command(window.studio(), "show-clusters"));
-  REQUIRE(run_command(window.studio(), "expand-clusters"));
-  window.frames(4);
-  CHECK(cells(window) > 3);
-  CHECK(cells(window) < 200);
-  REQUIRE(window.studio().ui.clusters.most_scroll > 10'000);
-  window.studio().ui.clusters.wanted_scroll = window.studio().ui.clusters.most_scroll;
-  window.frames(3);
-  CHECK(cells(window) > 3);
-  CHECK(cells(window) < 200);
+  open_fitted(window, 4);
+  Studio& studio = window.studio();
+  const auto choose = [&](std::size_t i, const std::string& entry) {
+    CAPTURE(entry);
+    run(window, "show-clusters");
+    window.press_on(cell(window, i));
+    window.let_go();
+    ImGui::GetIO().MouseDown[1] = true;
+    window.frames();
+    ImGui::GetIO().MouseDown[1] = false;
+    window.frames(3);
+    REQUIRE(window.has("shape-menu:" + entry));
+    window.click("shape-menu:" + entry);
+    window.settle();
+  };
+  choose(1, "similar");
+  CHECK(studio.ui.shown.order.column.quantity == ShapeQuantity::similarity);
+  CHECK(studio.ui.shown.order.column.shape == row(window, 1).id);
+  run(window, "sort-by", {"name"});
+  choose(2, "cluster");
+  CHECK(studio.ui.selection.shapes.size() == 4);
+  choose(3, "mark-outlier");
+  CHECK(row(window, 3).fit->status == FitStatus::outlier);
+  choose(3, "learn-from-shape");
+  CHECK(row(window, 3).fit->status == FitStatus::learned);
+  choose(2, "strip-add");
+  CHECK(std::ranges::count(studio.ui.strip.shapes, row(window, 2).id) == 1);
+  choose(0, "show-inspect");
+  CHECK(studio.ui.centre == CentreView::inspect);
+  CHECK(studio.ui.shape == row(window, 0).id);
+  choose(2, "open");
+  CHECK(studio.ui.centre == CentreView::shape);
+  CHECK(studio.ui.shape == row(window, 2).id);
+  const std::size_t templates = studio.history.committed().templates.size();
+  choose(1, "template-from-shape");
+  CHECK(studio.history.committed().templates.size() == templates + 1);
 }

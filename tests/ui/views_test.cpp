@@ -78,3 +78,30 @@ TEST_CASE("All that shows what a template does fits into a small window, dark an
       CHECK(window.has(pane));
   }
 }
+
+TEST_CASE("What was chosen in the explorer's views is kept in the settings, and shown by the next window") {
+  Settings kept;
+  {
+    TestWindow window;
+    for (const char* command : {"map-lasso", "map-pictures", "map-sliders", "inspect-mean-boxes",
+                                "inspect-fitted-boxes", "inspect-correspondences"})
+      REQUIRE(run_command(window.studio(), command));
+    REQUIRE(run_command(window.studio(), "show-plot", std::vector<std::string>{"energies"}));
+    REQUIRE(run_command(window.studio(), "inspect-colour", std::vector<std::string>{"features"}));
+    window.open_chairs(1);  // another project, the same choices
+    kept = window.studio().settings;
+  }
+  TestWindow window;
+  window.studio().settings = kept;
+  window.frames(2);
+  const UiState& ui = window.studio().ui;
+  CHECK(ui.map.tool == MapTool::lasso);
+  CHECK_FALSE(ui.map.pictures);
+  CHECK_FALSE(ui.map.sliders);
+  CHECK(ui.plots.chosen == "energies");
+  CHECK(ui.inspect.colour == InspectColour::features);
+  CHECK(ui.inspect.mean_boxes);
+  CHECK_FALSE(ui.inspect.fitted_boxes);
+  CHECK(ui.inspect.correspondences);
+  CHECK_FALSE(ui.inspect.samples);
+}
