@@ -114,6 +114,7 @@ struct Jobs::Running {
     const std::lock_guard lock(mutex);
     clock.halt();
     ended = true;
+    ended.notify_all();
   }
 
   void pause(bool wanted) {
@@ -215,6 +216,10 @@ std::vector<JobView> Jobs::poll() {
   }
   if (ended_.size() > ended_kept) ended_.resize(ended_kept);
   return views;
+}
+
+void Jobs::wait_for_work() const {
+  for (const auto& job : running_) job->ended.wait(false);
 }
 
 std::vector<JobView> Jobs::view() const {

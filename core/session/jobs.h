@@ -66,6 +66,8 @@ class Jobs {
   // Returns the views of those that ended since the last call.
   std::vector<JobView> poll();
 
+  // Returns when no job works any more; what they made is still to be applied. Not while one is paused.
+  void wait_for_work() const;
   bool idle() const { return running_.empty(); }
   bool resting() const;  // all that have not ended are paused
   // Running jobs in the order of their start, then the last ended ones, newest first. A job counts as running

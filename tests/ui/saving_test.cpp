@@ -27,12 +27,6 @@ void write_shape(const fs::path& folder, const std::string& name) {
       << "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n";
 }
 
-// Without a frame, so that nothing is applied yet: until then a job counts as under way, and nothing tells
-// from outside that its work is done. It takes a few milliseconds.
-void wait_for_work_of_jobs() {
-  std::this_thread::sleep_for(std::chrono::milliseconds(700));
-}
-
 }  // namespace
 
 TEST_CASE("What was edited a moment before the end is saved") {
@@ -163,7 +157,7 @@ TEST_CASE("A project that comes into view while another one is copied stays in v
   const Document made = window.studio().history.current();
   write_shape(window.scratch().path() / "other", "only");
   open_folder(window.studio(), window.scratch().path() / "other");
-  wait_for_work_of_jobs();
+  window.studio().jobs.wait_for_work();  // without a frame, so that nothing is applied yet
   const fs::path copy = window.scratch().path() / "copy.archetype";
   save_project_as(window.studio(), copy);
   window.settle();
@@ -181,7 +175,7 @@ TEST_CASE("Rows that were read of one project never show in the next") {
   const fs::path chairs = studio.collection.path;
   write_shape(window.scratch().path() / "other", "only");
   open_folder(studio, window.scratch().path() / "other");
-  wait_for_work_of_jobs();
+  window.studio().jobs.wait_for_work();  // without a frame, so that nothing is applied yet
   studio.rows_reader.request(chairs, false);
   studio.rows_reader.wait(std::chrono::minutes(1));
   window.frames();
