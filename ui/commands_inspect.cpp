@@ -8,6 +8,7 @@
 #include "ui/inspection.h"
 #include "ui/kept_choices.h"
 #include "ui/studio.h"
+#include "ui/switch_setting.h"
 
 namespace archetype {
 namespace {
@@ -18,16 +19,6 @@ void show_inspect(Studio& studio, Arguments) {
 
 bool inspect_is_shown(const Studio& studio) {
   return studio.ui.centre == CentreView::inspect;
-}
-
-template <bool Settings::*Option>
-void toggle(Studio& studio, Arguments) {
-  studio.settings.*Option = !(studio.settings.*Option);
-}
-
-template <bool Settings::*Option>
-bool is_on(const Studio& studio) {
-  return studio.settings.*Option;
 }
 
 void colour_by(Studio& studio, Arguments arguments) {
@@ -128,24 +119,24 @@ void add_inspect_commands(std::vector<Command>& commands) {
                                        .run = colour_by},
                                       {.name = "inspect-fitted-boxes",
                                        .title = "Fitted boxes of the inspected fit",
-                                       .run = toggle<&Settings::inspect_fitted_boxes>,
-                                       .checked = is_on<&Settings::inspect_fitted_boxes>},
+                                       .run = toggle_setting<&Settings::inspect_fitted_boxes>,
+                                       .checked = setting_is_on<&Settings::inspect_fitted_boxes>},
                                       {.name = "inspect-mean-boxes",
                                        .title = "Mean boxes of the inspected fit",
-                                       .run = toggle<&Settings::inspect_mean_boxes>,
-                                       .checked = is_on<&Settings::inspect_mean_boxes>},
+                                       .run = toggle_setting<&Settings::inspect_mean_boxes>,
+                                       .checked = setting_is_on<&Settings::inspect_mean_boxes>},
                                       {.name = "inspect-template-points",
                                        .title = "Points of the template, by their distance to the shape",
-                                       .run = toggle<&Settings::inspect_template_points>,
-                                       .checked = is_on<&Settings::inspect_template_points>},
+                                       .run = toggle_setting<&Settings::inspect_template_points>,
+                                       .checked = setting_is_on<&Settings::inspect_template_points>},
                                       {.name = "inspect-correspondences",
                                        .title = "Correspondences of the inspected fit",
-                                       .run = toggle<&Settings::inspect_correspondences>,
-                                       .checked = is_on<&Settings::inspect_correspondences>},
+                                       .run = toggle_setting<&Settings::inspect_correspondences>,
+                                       .checked = setting_is_on<&Settings::inspect_correspondences>},
                                       {.name = "inspect-samples",
                                        .title = "Samples of the inspected shape",
-                                       .run = toggle<&Settings::inspect_samples>,
-                                       .checked = is_on<&Settings::inspect_samples>},
+                                       .run = toggle_setting<&Settings::inspect_samples>,
+                                       .checked = setting_is_on<&Settings::inspect_samples>},
                                       {.name = "inspect-alternative",
                                        .title = "Show the fit of another yaw and template",
                                        .arguments = "DEGREES TEMPLATE",

@@ -9,6 +9,7 @@
 #include "ui/project_actions.h"
 #include "ui/shape_map_view.h"
 #include "ui/studio.h"
+#include "ui/switch_setting.h"
 
 namespace archetype {
 namespace {
@@ -85,16 +86,6 @@ void take_map_tool(Studio& studio, Arguments) {
   studio.settings.map_tool = tool == MapTool::lasso ? "lasso" : "rectangle";
 }
 
-template <bool Settings::*Option>
-void toggle(Studio& studio, Arguments) {
-  studio.settings.*Option = !(studio.settings.*Option);
-}
-
-template <bool Settings::*Option>
-bool is_on(const Studio& studio) {
-  return studio.settings.*Option;
-}
-
 template <MapTool tool>
 bool has_map_tool(const Studio& studio) {
   return studio.ui.map.tool == tool;
@@ -128,12 +119,12 @@ void add_plot_commands(std::vector<Command>& commands) {
                        .checked = has_map_tool<MapTool::lasso>},
                       {.name = "map-pictures",
                        .title = "Pictures on the map",
-                       .run = toggle<&Settings::map_pictures>,
-                       .checked = is_on<&Settings::map_pictures>},
+                       .run = toggle_setting<&Settings::map_pictures>,
+                       .checked = setting_is_on<&Settings::map_pictures>},
                       {.name = "map-sliders",
                        .title = "Sliders that find shapes",
-                       .run = toggle<&Settings::map_sliders>,
-                       .checked = is_on<&Settings::map_sliders>},
+                       .run = toggle_setting<&Settings::map_sliders>,
+                       .checked = setting_is_on<&Settings::map_sliders>},
                       {.name = "wish",
                        .title = "Wish for a parameter of a part",
                        .arguments = "PART PARAMETER SIGMAS",
