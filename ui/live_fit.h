@@ -62,8 +62,8 @@ class LiveFitter {
   std::optional<LiveFitResult> run(const LiveFitRequest& request, const JobControl& control);
 
  private:
-  std::vector<std::int16_t> label(const LiveFitRequest& request, const ShapeFit& fit,
-                                  const JobControl& control);
+  std::vector<std::int16_t> label(const PartTemplate& expecting, const LiveFitRequest& request,
+                                  const ShapeFit& fit, const JobControl& control);
 
   const LabellingGraph& graph(const LiveFitRequest& request);
 

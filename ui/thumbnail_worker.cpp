@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/priority.h"
 #include "core/io/read_shape.h"
 #include "render/convert.h"
 #include "render/gl/headless_context.h"
@@ -186,9 +187,10 @@ bool keep_thumbnail(Project& project, ShapeId shape, const std::string& kind, co
 }
 
 ThumbnailWorker::ThumbnailWorker(fs::path shaders, std::function<void()> wake)
-    : shaders_(std::move(shaders)),
-      wake_(std::move(wake)),
-      thread_([this](const std::stop_token& stop) { run(stop); }) {}
+    : shaders_(std::move(shaders)), wake_(std::move(wake)), thread_([this](const std::stop_token& stop) {
+        lower_priority(Priority::answer);
+        run(stop);
+      }) {}
 
 ThumbnailWorker::~ThumbnailWorker() {
   thread_.request_stop();

@@ -7,6 +7,8 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/priority.h"
+
 namespace archetype {
 namespace {
 
@@ -142,6 +144,7 @@ JobId Jobs::start(std::string title, Work work) {
   running->id = next_id_++;
   running->title = std::move(title);
   running->thread = std::jthread([running, work = std::move(work), wake = wake_] {
+    lower_priority(Priority::job);
     JobControl control;
     control.stop = {running->stop.get_token(), running->gate};
     control.report = [running, &wake](std::size_t done, std::size_t total, std::string_view what) {

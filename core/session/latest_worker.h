@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/base/job_control.h"
+#include "core/base/priority.h"
 
 namespace archetype {
 
@@ -29,9 +30,10 @@ class LatestWorker {
 
   // `wake` is called from the worker's thread whenever poll() has a result.
   LatestWorker(Work work, std::function<void()> wake)
-      : work_(std::move(work)),
-        wake_(std::move(wake)),
-        thread_([this](std::stop_token stop) { run(stop); }) {}
+      : work_(std::move(work)), wake_(std::move(wake)), thread_([this](std::stop_token stop) {
+          lower_priority(Priority::answer);
+          run(stop);
+        }) {}
   LatestWorker(const LatestWorker&) = delete;
   LatestWorker& operator=(const LatestWorker&) = delete;
   ~LatestWorker() {

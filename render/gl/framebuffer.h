@@ -12,7 +12,7 @@ namespace archetype::gl {
 // An RGBA texture of 8 bits a channel, filtered linearly, clamped at its edges.
 class Texture {
  public:
-  Texture(int width, int height);            // content undefined
+  Texture(int width, int height);  // to draw into; content undefined; not smoothed when shown larger
   explicit Texture(const Picture& picture);  // the first row of the picture is the first of the texture
 
   int width() const { return width_; }

@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
 #include "core/base/random.h"
 
 using namespace archetype;
@@ -23,7 +26,7 @@ TEST_CASE("a flat sheet, a rod and a ball have the features of what they are") {
   CHECK(s[4] > 0.85);  // faces up
   CHECK(s[5] < 1e-9);
   const Features r = compute_features(rod, 0.5).x.back();
-  CHECK(r[0] < 1e-9);
+  CHECK(r[0] < 1e-7);
   CHECK(r[2] < 1e-9);
   CHECK(r[3] == doctest::Approx(1));  // runs along a2
   CHECK(compute_features(rod, 0.5).z.back()[3] < 1e-9);
@@ -53,4 +56,31 @@ TEST_CASE("lone and coinciding points have no local shape and no accident") {
   const std::vector<Vec3> points(3, Vec3(1, 1, 1));
   for (const auto& f : compute_features(points, 0.1).x) CHECK(f == Features{});
   CHECK(compute_features({}, 0.1).x.empty());
+}
+
+TEST_CASE("neighbourhoods are whole, however large beside the points' extent, clustered or in steps") {
+  RandomStream random(6);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 300; ++i)
+    points.emplace_back(random.normal() * 3, random.uniform(0, 1), random.normal() * 0.01);
+  for (int i = 0; i < 300; ++i)  // as far apart as the radii
+    points.emplace_back(std::floor(random.uniform(0, 9)) * 0.1, std::floor(random.uniform(0, 9)) * 0.1, 0.3);
+  for (const double radius : {1e-6, 0.1, 0.3, 2.0, 100.0}) {
+    const PointFeatures features = compute_features(points, radius);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      Vec3 mean = Vec3::Zero();
+      double count = 0;
+      for (const Vec3& q : points)
+        if ((q - points[i]).squaredNorm() <= radius * radius) ++count, mean += q - points[i];
+      mean /= count;
+      Mat3 covariance = Mat3::Zero();
+      for (const Vec3& q : points)
+        if ((q - points[i]).squaredNorm() <= radius * radius)
+          covariance += (q - points[i] - mean) * (q - points[i] - mean).transpose() / count;
+      const Vec3 l = Eigen::SelfAdjointEigenSolver<Mat3>(covariance, Eigen::EigenvaluesOnly).eigenvalues();
+      if (l[2] < 1e-12) continue;
+      CHECK(features.x[i][0] == doctest::Approx(l[1] / l[2]).epsilon(1e-6));
+      CHECK(features.x[i][1] == doctest::Approx(std::max(l[0], 0.0) / l[2]).epsilon(1e-6));
+    }
+  }
 }
