@@ -36,7 +36,7 @@ Scene make_scene(const TemplatePicture& wanted) {
   for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
     SceneBox& box = scene.boxes[i];
     const bool dimmed = one && wanted.highlighted != i;
-    box.fill = dimmed ? 0.06F : wanted.spread ? 0.22F : 0.5F;
+    box.fill = dimmed ? 0.06F : wanted.spread ? 0.42F : 0.6F;
     box.outline_width = dimmed ? 0.8F : 1.3F;
   }
   return scene;
