@@ -105,14 +105,18 @@ void report_command(Studio& studio, Arguments arguments) {
   options.title = studio.collection.title;
   options.threads = static_cast<unsigned>(studio.settings.threads);
   if (arguments.size() > 1) options.labels = text_argument(arguments, 1, "a folder of labels");
-  studio.jobs.start(
-      "Report " + file.filename().string(),
-      [&studio, file, options, path = studio.collection.path](const JobControl& control) -> Jobs::Apply {
-        const auto report = html_report(Project::open(path), options, control);
-        if (!report) return {};
-        replace_file(file, report->page);
-        return [&studio, file] { say(studio, Severity::note, "Report saved as " + file.string()); };
-      });
+  const std::filesystem::path shaders = studio.options.shaders;
+  studio.jobs.start("Report " + file.filename().string(),
+                    [&studio, file, options, shaders,
+                     path = studio.collection.path](const JobControl& control) mutable -> Jobs::Apply {
+                      options.draw = thumbnail_drawer(path, shaders);
+                      const auto report = html_report(Project::open(path), options, control);
+                      if (!report) return {};
+                      replace_file(file, report->page);
+                      return [&studio, file] {
+                        say(studio, Severity::note, "Report saved as " + file.string());
+                      };
+                    });
 }
 
 std::string needs_starts(const Studio& studio) {
