@@ -122,7 +122,8 @@ std::vector<std::string> read_numbered_names(const std::filesystem::path& folder
   const std::string content = read_file(path);
   for (std::size_t at = 0; at < content.size();) {
     const std::size_t end = std::min(content.find('\n', at), content.size());
-    const std::string line = content.substr(at, end - at);
+    std::string line = content.substr(at, end - at);
+    if (line.ends_with('\r')) line.pop_back();
     at = end + 1;
     const std::string number = std::to_string(names.size()) + ' ';
     if (!line.starts_with(number)) return {};

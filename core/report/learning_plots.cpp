@@ -82,7 +82,7 @@ Figure plot_learning_templates(const PlotSources& sources) {
 Figure plot_learning_sizes(const PlotSources& sources) {
   Plot time;
   time.title = "Time";
-  time.note = "Random subsets of this collection, the smaller ones within the larger ones";
+  time.note = "Random subsets, the smaller ones within the larger ones";
   time.x = {.label = "shapes", .low = 0};
   time.y = {.label = "seconds", .low = 0};
   PlotSeries learning{.name = "learning", .kind = SeriesKind::line_and_dots, .colour = series_colour(0)};
