@@ -73,10 +73,7 @@ void draw_place(Studio& studio, const CloudPane& pane) {
   if (!pixel) return;
   const ImVec2 middle(pane.origin.x + static_cast<float>(pixel->x),
                       pane.origin.y + static_cast<float>(pixel->y));
-  const float scale = studio.fonts.scale;
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddCircle(middle, 9 * scale, IM_COL32(24, 26, 30, 255), 24, 4 * scale);
-  draw.AddCircle(middle, 9 * scale, ImGui::GetColorU32(colours(studio).accent), 24, 2 * scale);
+  draw_place_ring(*ImGui::GetWindowDrawList(), middle, studio.fonts.scale);
 }
 
 void draw_caption(Studio& studio, const CloudPane& pane, const std::string& title, const std::string& text,

@@ -45,11 +45,23 @@ void move_to(CloudView& view, const Camera& to) {
   view.flight = CameraFlight{view.camera, to, Clock::now()};
 }
 
+// Enough of them to frame all by, at either end of the blend.
+std::vector<glm::vec3> some_of(const PointGeometry& points) {
+  constexpr std::size_t enough = 20'000;
+  const std::size_t step = points.positions.size() / enough + 1;
+  std::vector<glm::vec3> some;
+  for (std::size_t i = 0; i < points.positions.size(); i += step) {
+    some.push_back(points.positions[i]);
+    if (i < points.moved.size()) some.push_back(points.moved[i]);
+  }
+  return some;
+}
+
 void follow_camera_wishes(Studio& studio, const CloudPane& pane) {
   CloudView& view = studio.cloud;
   const PointGeometry& points = *view.content->points;
   const auto framed = [&](Camera camera) {
-    frame(camera, pane.viewport(), points.low, points.high);
+    frame_points(camera, pane.viewport(), some_of(points));
     return camera;
   };
   view.camera.orthographic = studio.ui.view.orthographic;

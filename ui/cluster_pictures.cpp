@@ -14,15 +14,6 @@
 namespace archetype {
 namespace {
 
-std::vector<glm::vec3> corners(const Bounds& extent) {
-  std::vector<glm::vec3> all;
-  for (int corner = 0; corner < 8; ++corner)
-    all.emplace_back((corner & 1) != 0 ? extent.high.x() : extent.low.x(),
-                     (corner & 2) != 0 ? extent.high.y() : extent.low.y(),
-                     (corner & 4) != 0 ? extent.high.z() : extent.low.z());
-  return all;
-}
-
 Scene make_scene(const TemplatePicture& wanted) {
   ViewportContent content;
   content.part_template = wanted.part_template.get();
@@ -36,15 +27,15 @@ Scene make_scene(const TemplatePicture& wanted) {
   for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
     SceneBox& box = scene.boxes[i];
     const bool dimmed = one && wanted.highlighted != i;
-    box.fill = dimmed ? 0.06F : wanted.spread ? 0.22F : 0.5F;
+    box.fill = dimmed ? 0.06F : wanted.spread ? 0.42F : 0.6F;
     box.outline_width = dimmed ? 0.8F : 1.3F;
   }
   return scene;
 }
 
 Camera camera_of(const PartTemplate& part_template, const PictureSize& size) {
-  const Bounds extent = framed_extent(part_template);
-  return extent.empty() ? Camera{} : thumbnail_camera(corners(extent), {size.width, size.height});
+  const std::vector<glm::vec3> corners = framed_corners(part_template);
+  return corners.empty() ? Camera{} : thumbnail_camera(corners, {size.width, size.height});
 }
 
 std::optional<std::size_t> part_under_mouse(const TemplatePicture& shown, ImVec2 low, float density) {
@@ -60,21 +51,18 @@ std::optional<std::size_t> part_under_mouse(const TemplatePicture& shown, ImVec2
 
 }  // namespace
 
-Bounds framed_extent(const PartTemplate& part_template) {
-  Bounds extent;
+std::vector<glm::vec3> framed_corners(const PartTemplate& part_template) {
+  std::vector<glm::vec3> corners;
   for (const TemplatePart& part : part_template.parts) {
     const Vec3 spread = (part.position.stddev.cwiseAbs2() + part.scale.stddev.cwiseAbs2()).cwiseSqrt();
-    const Box box = part.mean_box();
-    for (int corner = 0; corner < 8; ++corner) {
-      const Vec3 at = box.to_world(
-          {(corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0, (corner & 4) != 0 ? 1.0 : -1.0});
-      // A template made by hand knows nothing of its spread yet: its shapes must not be drawn tiny.
-      const Vec3 grown = spread.cwiseMin(0.12);
-      extent.add(at - grown);
-      extent.add(at + grown);
-    }
+    Box box = part.mean_box();
+    // A template made by hand knows nothing of its spread yet: its shapes must not be drawn tiny.
+    box.half_extent += spread.cwiseMin(0.12);
+    for (int corner = 0; corner < 8; ++corner)
+      corners.emplace_back(to_glm(box.to_world(
+          {(corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0, (corner & 4) != 0 ? 1.0 : -1.0})));
   }
-  return extent;
+  return corners;
 }
 
 void draw_cluster_picture(Studio& studio, const TemplateRecord& record, const std::string& target,

@@ -4,10 +4,12 @@
 
 #include <imgui.h>
 
+#include <glm/vec3.hpp>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/io/project.h"
 #include "render/renderer.h"
@@ -34,9 +36,9 @@ struct ClusterPicture {
 };
 using ClusterPictures = std::map<TemplateId, ClusterPicture>;
 
-// The corners of what the pictures of a template and of its members are framed by: its mean boxes, somewhat
+// What the pictures of a template and of its members are framed by: the corners of its mean boxes, somewhat
 // grown by their spread. Empty without parts.
-Bounds framed_extent(const PartTemplate& part_template);
+std::vector<glm::vec3> framed_corners(const PartTemplate& part_template);
 
 // Draws it at the cursor as a button, marked as `target`. A click takes the part that is under the mouse, or
 // lets go of the parts where there is none.

@@ -60,6 +60,8 @@ CollectionRows read_rows(const Project& project) {
   content.refused = project.refused();
   content.truth = ground_truth_folders(project);
   content.subsets = stored_subset_measures(project);
+  if (auto starts = stored_start_measures(project); !starts.empty())
+    content.starts = std::make_shared<const std::vector<StartMeasure>>(std::move(starts));
   if (std::optional<LearningRecord> learning = learning_record(project))
     content.learning = std::make_shared<const LearningRecord>(std::move(*learning));
   return content;

@@ -15,6 +15,7 @@
 #include "core/session/ground_truth.h"
 #include "core/session/latest_worker.h"
 #include "core/session/learn_templates.h"
+#include "core/session/measure_starts.h"
 #include "core/session/measure_subsets.h"
 #include "core/session/shape_row.h"
 
@@ -26,6 +27,8 @@ struct CollectionRows {
   std::shared_ptr<const LearningRecord> learning;  // null: nothing was learned yet
   GroundTruthFolders truth;                        // where it is, as far as is known
   std::vector<SubsetMeasure> subsets;              // how learning grows, if it was measured
+  // What came of several templates to begin with; null: not measured.
+  std::shared_ptr<const std::vector<StartMeasure>> starts;
 };
 
 struct Collection {

@@ -127,9 +127,13 @@ void draw_collection_panel(Studio& studio) {
   ImGui::BeginChild("cells", {0, 0});
   if (studio.collection.rows().empty()) {
     const bool reading = !studio.jobs.idle();
-    empty_hint(studio, reading ? "Reading…" : "No shapes here",
-               reading ? "Shapes appear as they are read."
-                       : "Nothing in the folder could be read as a shape; the messages say why.");
+    empty_hint(
+        studio, reading ? "Reading…" : "No shapes here",
+        reading ? "Shapes appear as they are read."
+        : studio.collection.content.refused.empty()
+            ? "There is no file of a kind that is read: OBJ, OFF, PLY, STL, glTF, GLB, AC3D, XYZ, PTS or "
+              "binvox. \"Add shapes…\" in the menu File brings some in."
+            : "None of the files could be read as a shape; the messages say why.");
   } else if (shown_rows(studio).empty()) {
     empty_hint(studio, "No shape is left", "Clear the search or the filter to see all of them.");
     const float width = 140 * studio.fonts.scale;

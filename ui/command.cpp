@@ -28,6 +28,7 @@ std::vector<Command> all_commands() {
   add_learning_commands(commands);
   add_plot_commands(commands);
   add_help_commands(commands);
+  add_quit_command(commands);
   return commands;
 }
 

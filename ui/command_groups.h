@@ -26,6 +26,7 @@ void add_correction_commands(std::vector<Command>& commands);
 void add_learning_commands(std::vector<Command>& commands);
 void add_plot_commands(std::vector<Command>& commands);
 void add_help_commands(std::vector<Command>& commands);
+void add_quit_command(std::vector<Command>& commands);  // below all others of its menu
 
 // Shared conditions, for Command::why_not: a hint on what to do first, or "".
 std::string needs_collection(const Studio& studio);

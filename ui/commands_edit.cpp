@@ -61,6 +61,7 @@ void cancel_command(Studio& studio, Arguments) {
     stop_looking(studio);
   } else {
     select_only(studio.ui, std::nullopt);
+    studio.ui.selection.place.reset();
   }
 }
 

@@ -25,7 +25,7 @@ std::vector<ShapeId> shape_in_view(const Studio& studio) {
   return studio.ui.shape ? std::vector{*studio.ui.shape} : std::vector<ShapeId>{};
 }
 
-// FILE [WIDTH] [transparent]; from the browser the path alone, with its blanks.
+// FILE [WIDTH] [transparent]
 FigureOptions figure_options(Arguments arguments) {
   FigureOptions options;
   for (std::size_t i = 1; i < arguments.size(); ++i) {
@@ -43,8 +43,12 @@ FigureOptions figure_options(Arguments arguments) {
 template <MakeFigure make, std::vector<ShapeId> (*shapes)(const Studio&)>
 void figure(Studio& studio, Arguments arguments, const char* command, const char* title) {
   if (arguments.empty()) {
-    browse(studio,
-           {.command = command, .title = title, .saving = true, .ending = ".png", .proposed = "figure.png"});
+    browse(studio, {.command = command,
+                    .title = title,
+                    .saving = true,
+                    .figure = true,
+                    .ending = ".png",
+                    .proposed = std::string(command).substr(std::string_view("figure-").size()) + ".png"});
     return;
   }
   std::filesystem::path file = arguments[0];
@@ -70,6 +74,13 @@ void templates_command(Studio& studio, Arguments arguments) {
 void clusters_command(Studio& studio, Arguments arguments) {
   figure<clusters_figure, no_shapes>(studio, arguments, "figure-clusters", "Figure of the clusters");
 }
+void members_command(Studio& studio, Arguments arguments) {
+  figure<members_figure, no_shapes>(studio, arguments, "figure-members",
+                                    "Figure of the clusters with all members");
+}
+void starts_command(Studio& studio, Arguments arguments) {
+  figure<starts_figure, no_shapes>(studio, arguments, "figure-starts", "Figure of several starts");
+}
 void coalignment_command(Studio& studio, Arguments arguments) {
   figure<coalignment_figure, cloud_shapes>(studio, arguments, "figure-coalignment",
                                            "Figure of the co-aligned points");
@@ -94,14 +105,23 @@ void report_command(Studio& studio, Arguments arguments) {
   options.title = studio.collection.title;
   options.threads = static_cast<unsigned>(studio.settings.threads);
   if (arguments.size() > 1) options.labels = text_argument(arguments, 1, "a folder of labels");
-  studio.jobs.start(
-      "Report " + file.filename().string(),
-      [&studio, file, options, path = studio.collection.path](const JobControl& control) -> Jobs::Apply {
-        const auto report = html_report(Project::open(path), options, control);
-        if (!report) return {};
-        replace_file(file, report->page);
-        return [&studio, file] { say(studio, Severity::note, "Report saved as " + file.string()); };
-      });
+  const std::filesystem::path shaders = studio.options.shaders;
+  studio.jobs.start("Report " + file.filename().string(),
+                    [&studio, file, options, shaders,
+                     path = studio.collection.path](const JobControl& control) mutable -> Jobs::Apply {
+                      options.draw = thumbnail_drawer(path, shaders);
+                      const auto report = html_report(Project::open(path), options, control);
+                      if (!report) return {};
+                      replace_file(file, report->page);
+                      return [&studio, file] {
+                        say(studio, Severity::note, "Report saved as " + file.string());
+                      };
+                    });
+}
+
+std::string needs_starts(const Studio& studio) {
+  if (std::string reason = needs_collection(studio); !reason.empty()) return reason;
+  return studio.collection.content.starts ? "" : "\"Learn from several starts\" first";
 }
 
 constexpr std::string_view figure_arguments = "[FILE.png [WIDTH] [transparent]]";
@@ -115,13 +135,26 @@ void add_figure_commands(std::vector<Command>& commands) {
                                        .menu = "File",
                                        .arguments = figure_arguments,
                                        .run = templates_command,
-                                       .why_not = needs_collection},
+                                       .why_not = needs_collection,
+                                       .separator = true},
                                       {.name = "figure-clusters",
                                        .title = "Figure of the clusters…",
                                        .menu = "File",
                                        .arguments = figure_arguments,
                                        .run = clusters_command,
                                        .why_not = needs_collection},
+                                      {.name = "figure-members",
+                                       .title = "Figure of the clusters with all members…",
+                                       .menu = "File",
+                                       .arguments = figure_arguments,
+                                       .run = members_command,
+                                       .why_not = needs_collection},
+                                      {.name = "figure-starts",
+                                       .title = "Figure of several starts…",
+                                       .menu = "File",
+                                       .arguments = figure_arguments,
+                                       .run = starts_command,
+                                       .why_not = needs_starts},
                                       {.name = "figure-coalignment",
                                        .title = "Figure of the co-aligned points…",
                                        .menu = "File",

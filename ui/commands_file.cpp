@@ -162,14 +162,17 @@ void add_file_commands(std::vector<Command>& commands) {
                        .arguments = "[FILE.png]",
                        .run = picture_command,
                        .separator = true},
-                      {.name = "quit",
-                       .title = "Quit",
-                       .menu = "File",
-                       .key = "Ctrl+Q",
-                       .run = [](Studio& s, Arguments) { request_close(s); },
-                       .separator = true,
-                       .at_once = true},
                   });
+}
+
+void add_quit_command(std::vector<Command>& commands) {
+  commands.push_back({.name = "quit",
+                      .title = "Quit",
+                      .menu = "File",
+                      .key = "Ctrl+Q",
+                      .run = [](Studio& s, Arguments) { request_close(s); },
+                      .separator = true,
+                      .at_once = true});
 }
 
 }  // namespace archetype

@@ -160,6 +160,11 @@ void add_plot_commands(std::vector<Command>& commands) {
                        .menu = "Shape",
                        .run = [](Studio& s, Arguments) { measure_sizes(s); },
                        .why_not = needs_shapes_and_template},
+                      {.name = "measure-starts",
+                       .title = "Learn from several starts, to compare",
+                       .menu = "Shape",
+                       .run = [](Studio& s, Arguments) { measure_starts(s); },
+                       .why_not = needs_any_shape},
                   });
 }
 

@@ -1,8 +1,10 @@
-// Jobs that plots are made of: comparing with ground truth, and measuring how learning grows.
+// Jobs that plots are made of: comparing with ground truth, and measuring how learning grows and what it
+// begins with.
 #include <cstdio>
 
 #include "core/base/error.h"
 #include "core/session/ground_truth.h"
+#include "core/session/measure_starts.h"
 #include "core/session/measure_subsets.h"
 #include "ui/plot_sources.h"
 #include "ui/studio.h"
@@ -113,8 +115,9 @@ void measure_sizes(Studio& studio) {
                       std::vector<PartTemplate> start = learning_start(project);
                       if (start.empty()) start = edited;
                       if (start.empty()) throw Error("there is no template to learn from");
-                      const auto measures = measure_subsets(
-                          project, start, subset_sizes(project.shape_count()), seed, threads, control);
+                      const auto measures =
+                          measure_subsets(project, start, subset_sizes(project.shape_count()),
+                                          ground_truth_folders(project), seed, threads, control);
                       if (!measures) return {};
                       store_subset_measures(project, *measures);
                       return [&studio, path, count = measures->size()] {
@@ -123,6 +126,23 @@ void measure_sizes(Studio& studio) {
                               "Learning measured for " + plural(count, "size") + " of the collection");
                       };
                     });
+}
+
+void measure_starts(Studio& studio) {
+  const fs::path path = studio.collection.path;
+  const auto threads = static_cast<unsigned>(studio.settings.threads);
+  studio.jobs.start(
+      "Learn from several starts", [&studio, path, threads](const JobControl& control) -> Jobs::Apply {
+        Project project = Project::open(path);
+        const auto measures =
+            measure_suggested_starts(project, ground_truth_folders(project), seed, threads, control);
+        if (!measures) return {};
+        store_start_measures(project, *measures);
+        return [&studio, path, count = measures->size()] {
+          if (studio.collection.path == path)
+            say(studio, Severity::note, "Learned from " + plural(count, "template") + " to begin with");
+        };
+      });
 }
 
 }  // namespace archetype

@@ -67,8 +67,13 @@ class FigurePage {
 // cancelled. The templates in a row, as in the figures of the paper: mean boxes, an ellipsoid for the spread
 // of each position and dashed lines for that of each size.
 std::optional<Picture> templates_figure(const FigureRequest& request, const JobControl& control);
-// A sheet of clusters: each template with its members, best first; outliers below, worst first.
+// A sheet of clusters: each template with its members, best first, as many as stand beside it; outliers
+// below, worst first.
 std::optional<Picture> clusters_figure(const FigureRequest& request, const JobControl& control);
+// The same with all of the members.
+std::optional<Picture> members_figure(const FigureRequest& request, const JobControl& control);
+// Templates that learning began with, above those that it ended with (measure_starts.h).
+std::optional<Picture> starts_figure(const FigureRequest& request, const JobControl& control);
 // All points of request.shapes: rigid beside deformed.
 std::optional<Picture> coalignment_figure(const FigureRequest& request, const JobControl& control);
 // The fit of the first of request.shapes: shape, parts, boxes and correspondences.

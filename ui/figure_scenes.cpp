@@ -74,7 +74,11 @@ Scene template_scene(const PartTemplate& part_template, bool spread) {
   content.view.ground = false;
   content.view.spread = spread;
   content.backdrop = Backdrop::light;
-  return make_viewport_scene(content);
+  Scene scene = make_viewport_scene(content);
+  // Solid enough to be seen on paper; what tells of the spread lies within.
+  scene.hidden_lines = 0.1F;
+  for (SceneBox& box : scene.boxes) box.fill = spread ? 0.42F : 0.6F;
+  return scene;
 }
 
 Camera figure_camera(const Scene& scene, const Viewport& viewport) {

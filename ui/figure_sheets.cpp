@@ -1,8 +1,10 @@
-// The row of templates, and the sheet of clusters.
+// The row of templates, the sheet of clusters, and templates before and after learning.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/error.h"
+#include "core/session/measure_starts.h"
 #include "ui/figure.h"
 #include "ui/figure_scenes.h"
 #include "ui/widgets.h"
@@ -126,24 +128,36 @@ std::optional<Picture> templates_figure(const FigureRequest& request, const JobC
   return page.picture();
 }
 
-std::optional<Picture> clusters_figure(const FigureRequest& request, const JobControl& control) {
+namespace {
+
+constexpr std::size_t sheet_columns = 8;  // of members, beside the template
+constexpr std::size_t fewest_lines = 2;   // as high as the template
+
+// Of a cluster with that many members, at most `most`.
+std::size_t member_lines(std::size_t members, std::size_t most) {
+  return std::clamp((members + sheet_columns - 1) / sheet_columns, fewest_lines, most);
+}
+
+std::optional<Picture> sheet(const FigureRequest& request, std::size_t most_lines,
+                             const JobControl& control) {
   const Project project = Project::open(request.project);
   std::vector<FitSummary> outliers;
   std::vector<Cluster> clusters = clusters_of(project, request.templates, &outliers);
   std::erase_if(clusters, [](const Cluster& cluster) { return cluster.members.empty(); });
   if (clusters.empty() && outliers.empty())
     throw Error("no shape is fitted yet; fit a template to all shapes, or learn from them, first");
-  constexpr std::size_t columns = 8;
-  constexpr double cell = (1000 - 2 * margin) / (columns + 2);
+  constexpr double cell = (1000 - 2 * margin) / (sheet_columns + 2);
+  constexpr double titles = text + small_text + 2 * gap;
   FigurePage page(request);
   double height = 2 * margin;
-  const double row = 2 * cell + text + small_text + 2 * gap;
-  height += row * static_cast<double>(clusters.size());
-  if (!outliers.empty()) height += cell + text + small_text + 2 * gap;
+  for (const Cluster& cluster : clusters)
+    height += cell * static_cast<double>(member_lines(cluster.members.size(), most_lines)) + titles;
+  if (!outliers.empty()) height += cell + titles;
   page.set_height(height);
   double top = margin;
   for (const Cluster& cluster : clusters) {
     page.write(cluster.part_template->name, margin, top, text, FigurePage::Style::bold, 700);
+    const std::size_t lines = member_lines(cluster.members.size(), most_lines);
     double energy = 0;
     for (const FitSummary& fit : cluster.members)
       energy += fit.energy.total() / static_cast<double>(cluster.members.size());
@@ -153,16 +167,77 @@ std::optional<Picture> clusters_figure(const FigureRequest& request, const JobCo
     const double below = top + text + small_text + gap / 2;
     if (!draw_template(page, *cluster.part_template, true, margin, below, 2 * cell - gap, 2 * cell - gap,
                        control) ||
-        !draw_members(page, project, cluster.members, {margin + 2 * cell, below, cell, columns, 2}, control))
+        !draw_members(page, project, cluster.members, {margin + 2 * cell, below, cell, sheet_columns, lines},
+                      control))
       return std::nullopt;
-    top += row;
+    top += cell * static_cast<double>(lines) + titles;
   }
   if (outliers.empty()) return page.picture();
   page.write("Outliers", margin, top, text, FigurePage::Style::bold);
   page.write(plural(outliers.size(), "shape") + " that no template explains; worst first", margin, top + text,
              small_text, FigurePage::Style::muted);
   if (!draw_members(page, project, outliers,
-                    {margin, top + text + small_text + gap / 2, cell, columns + 2, 1}, control))
+                    {margin, top + text + small_text + gap / 2, cell, sheet_columns + 2, 1}, control))
+    return std::nullopt;
+  return page.picture();
+}
+
+std::string result_text(double energy, const TruthShares& shares) {
+  char line[64];
+  std::snprintf(line, sizeof line, "energy %.3f", energy);
+  std::string result = line;
+  if (!shares.best_labelling) return result;
+  std::snprintf(line, sizeof line, ", %.1f %% labelled right", 100 * *shares.best_labelling);
+  return result + line;
+}
+
+}  // namespace
+
+std::optional<Picture> clusters_figure(const FigureRequest& request, const JobControl& control) {
+  return sheet(request, fewest_lines, control);
+}
+
+std::optional<Picture> members_figure(const FigureRequest& request, const JobControl& control) {
+  return sheet(request, std::numeric_limits<std::size_t>::max(), control);
+}
+
+std::optional<Picture> starts_figure(const FigureRequest& request, const JobControl& control) {
+  const std::vector<StartMeasure> starts = stored_start_measures(Project::open(request.project));
+  if (starts.empty())
+    throw Error("nothing was learned from several starts yet; \"Learn from several starts\" does it");
+  FigurePage page(request);
+  const auto columns = static_cast<double>(starts.size());
+  const double width = std::min((1000 - 2 * margin - (columns - 1) * gap) / columns, 300.0);
+  const double height = 1.1 * width;
+  const double row = height + text + small_text + 2 * gap;
+  page.set_height(2 * margin + 2 * (row + text + gap));
+  const auto draw_row = [&](double top, const char* title, auto template_of, auto line_of) {
+    page.write(title, margin, top, text, FigurePage::Style::bold);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      const double left = margin + static_cast<double>(i) * (width + gap);
+      const double below = top + text + gap / 2;
+      const PartTemplate* shown = template_of(starts[i]);
+      if (shown && !draw_template(page, *shown, true, left, below, width, height, control)) return false;
+      page.write(shown ? shown->name : "", left, below + height, small_text, FigurePage::Style::plain, width);
+      page.write(line_of(starts[i]), left, below + height + small_text, small_text * 0.9,
+                 FigurePage::Style::muted, width);
+    }
+    return true;
+  };
+  const auto before = [](const StartMeasure& start) { return &start.initial; };
+  const auto after = [](const StartMeasure& start) {
+    return start.learned.empty() ? nullptr : &start.learned.front();
+  };
+  const auto line_before = [](const StartMeasure& start) {
+    return result_text(start.energy_before, start.before);
+  };
+  const auto line_after = [](const StartMeasure& start) {
+    const std::string more =
+        start.learned.size() > 1 ? "first of " + std::to_string(start.learned.size()) + ", " : "";
+    return more + result_text(start.energy_after, start.after);
+  };
+  if (!draw_row(margin, "Templates to begin with", before, line_before) ||
+      !draw_row(margin + row + text + gap, "Learned from them", after, line_after))
     return std::nullopt;
   return page.picture();
 }

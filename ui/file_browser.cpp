@@ -52,9 +52,10 @@ void finish(Studio& studio) {
     return;
   }
   studio.settings.last_folder = (state.wanted.folders_only ? path : path.parent_path()).string();
-  const std::string arguments[] = {path.string()};
+  const std::string arguments[] = {path.string(), std::to_string(state.figure_width), "transparent"};
+  const std::size_t count = !state.wanted.figure ? 1 : state.transparent ? 3 : 2;
   // It stays open if the command could not use the path: the status line says why.
-  if (run_command(studio, state.wanted.command, arguments)) state.open = false;
+  if (run_command(studio, state.wanted.command, std::span(arguments).first(count))) state.open = false;
 }
 
 void draw_places(Studio& studio) {
@@ -132,6 +133,19 @@ void draw_entries(Studio& studio) {
   if (listing->cut) muted_text(studio, "… and more than can be listed: type the name.");
 }
 
+void draw_figure_options(Studio& studio) {
+  FileBrowserState& state = studio.ui.browser;
+  ImGui::AlignTextToFramePadding();
+  muted_text(studio, "Pixels wide");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(90 * studio.fonts.scale);
+  ImGui::InputInt("##width", &state.figure_width, 0);
+  mark_target(studio, "browser:width");
+  ImGui::SameLine();
+  ImGui::Checkbox("Transparent", &state.transparent);
+  mark_target(studio, "browser:transparent");
+}
+
 void draw_buttons(Studio& studio) {
   FileBrowserState& state = studio.ui.browser;
   const bool saving = state.wanted.saving;
@@ -153,6 +167,8 @@ void draw_buttons(Studio& studio) {
   ImGui::SameLine();
   if (ImGui::Button("Cancel", {width, 0})) state.open = false;
   mark_target(studio, "browser:cancel");
+  if (state.wanted.figure) draw_figure_options(studio);
+  if (state.wanted.figure && state.asked_to_replace) ImGui::SameLine();
   if (state.asked_to_replace) muted_text(studio, "There is a file of this name already.");
   if (ready && (pressed || entered)) finish(studio);
 }

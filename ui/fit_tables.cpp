@@ -10,9 +10,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 std::optional<ReadFitTable> read_table(const FitTableRequest& request, const JobControl& control) {
-  ReadFitTable read{nullptr, request};
+  ReadFitTable read{nullptr, {request.project, request.revision}};
   try {
-    if (std::optional<FitTable> table = read_fit_table(Project::open(request.project), control))
+    if (std::optional<FitTable> table =
+            read_fit_table(Project::open(request.project), control, request.previous.get()))
       read.table = std::make_shared<const FitTable>(std::move(*table));
   } catch (const std::exception&) {
     // The job that is writing the project says what is wrong.
@@ -24,7 +25,7 @@ bool up_to_date(const FitTableRequest& request, const Collection& collection) {
   return request.project == collection.path && request.revision == collection.revision;
 }
 
-// Tables of ten thousand shapes take a third of a second: a running job, which changes the rows twice a
+// Tables of ten thousand new fits take a third of a second: a running job, which changes the rows twice a
 // second, must not be slowed down by them.
 constexpr std::chrono::seconds pause_while_working{3};
 
@@ -55,7 +56,9 @@ void end_fit_tables(Studio& studio) {
   if (same_project && !studio.jobs.idle() && Clock::now() - tables.asked_at < pause_while_working) return;
   tables.asked = {studio.collection.path, studio.collection.revision};
   tables.asked_at = Clock::now();
-  tables.reader.request(tables.asked, !same_project);
+  FitTableRequest request = tables.asked;
+  if (tables.newest.of.project == request.project) request.previous = tables.newest.table;
+  tables.reader.request(std::move(request), !same_project);
 }
 
 bool fit_tables_settled(const Studio& studio) {

@@ -18,7 +18,8 @@ struct Studio;
 
 struct FitTableRequest {
   std::filesystem::path project;
-  std::uint64_t revision = 0;  // of the collection
+  std::uint64_t revision = 0;                     // of the collection
+  std::shared_ptr<const FitTable> previous = {};  // of the same project; only what has changed is read
 };
 struct ReadFitTable {
   std::shared_ptr<const FitTable> table;  // null: the project could not be read just now

@@ -10,6 +10,8 @@ namespace archetype {
 void draw_history_panel(Studio& studio) {
   const auto& entries = studio.history.entries();
   std::size_t wanted = studio.history.position();
+  const float edge = ImGui::GetStyle().ItemSpacing.x;  // by half of it rows are highlighted beyond their text
+  ImGui::Indent(edge);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(entries.size()));
   while (clipper.Step()) {
@@ -25,6 +27,7 @@ void draw_history_panel(Studio& studio) {
       ImGui::PopID();
     }
   }
+  ImGui::Unindent(edge);
   if (wanted != studio.history.position()) studio.history.jump(wanted);
 }
 

@@ -9,6 +9,7 @@
 #include "ui/heat_map.h"
 #include "ui/inspect_scene.h"
 #include "ui/studio.h"
+#include "ui/viewport_overlay.h"
 #include "ui/widgets.h"
 
 namespace archetype {
@@ -149,8 +150,7 @@ void draw_inspect_overlay(Studio& studio, std::size_t index, ImVec2 origin, ImVe
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.PushClipRect(origin, {origin.x + size.x, origin.y + size.y}, true);
   if (const auto picked = picked_on(studio, side))
-    if (const auto at = side.pixel(*picked))
-      draw_cross(draw, *at, ImGui::GetColorU32(colours(studio).warning), 7 * studio.fonts.scale);
+    if (const auto at = side.pixel(*picked)) draw_place_ring(draw, *at, studio.fonts.scale);
   draw_pointed(studio, draw, side, index);
   draw_title(studio, draw, side, index, size.x);
   const InspectOptions& options = studio.ui.inspect;

@@ -44,8 +44,9 @@ double share_below(const std::vector<double>& values, double value) {
 }
 
 // A bar for the value; behind it the tenth to the ninetieth percentile of the cluster as a band, its median
-// as a line.
-void draw_bar(Studio& studio, const Term& term, double value, const std::vector<double>* cluster) {
+// as a line. Without a cluster the bar's end is at `otherwise`.
+void draw_bar(Studio& studio, const Term& term, double value, const std::vector<double>* cluster,
+              double otherwise) {
   const Palette& p = colours(studio);
   const float scale = studio.fonts.scale;
   const bool known = cluster && cluster->size() > 1;
@@ -56,8 +57,7 @@ void draw_bar(Studio& studio, const Term& term, double value, const std::vector<
   const float text_width = ImGui::CalcTextSize("-0.0000").x;
   const float space = std::max(20 * scale, ImGui::GetContentRegionAvail().x - text_width - 8 * scale);
   const float height = ImGui::GetTextLineHeight();
-  double largest = std::max(std::abs(value), 1e-9);
-  if (known) largest = std::max(largest, at_share(*cluster, 0.95));
+  const double largest = std::max({std::abs(value), known ? at_share(*cluster, 0.95) : otherwise, 1e-9});
   const auto x = [&](double v) {
     return low.x + space * static_cast<float>(std::clamp(v / largest, 0.0, 1.0));
   };
@@ -143,12 +143,14 @@ void draw_fit_terms_panel(Studio& studio) {
   const bool same = fit && inspection.cluster && inspection.cluster->of.part_template == fit->part_template &&
                     inspection.main.shape->part_template == look->part_template;
   if (same) cluster = &inspection.cluster->terms;
+  const FitEnergy& energy = part ? look->terms.parts[*part] : look->fit.energy;
+  double largest = 0;
+  for (const auto term : energy_terms) largest = std::max(largest, std::abs(energy.*term));
   for (std::size_t term = 0; term < energy_terms.size(); ++term) {
-    const FitEnergy& energy = part ? look->terms.parts[*part] : look->fit.energy;
     const std::vector<double>* values = nullptr;
     if (cluster && !part) values = &cluster->whole[term];
     if (cluster && part && *part < cluster->parts.size()) values = &cluster->parts[*part][term];
-    draw_bar(studio, term_names[term], energy.*energy_terms[term], values);
+    draw_bar(studio, term_names[term], energy.*energy_terms[term], values, largest);
   }
 }
 

@@ -169,7 +169,10 @@ Scene make_inspect_scene(const InspectContent& content) {
   Scene scene;
   scene.backdrop = content.backdrop;
   scene.grid = true;
-  scene.ground = static_cast<float>(inspect_extent(content).first.y);
+  const ShapeDisplay& display = content.shape->display;
+  const bool has_mesh = display.mesh && display.mesh->triangle_count() > 0;
+  const glm::dvec3 lowest = has_mesh ? display.mesh->low : display.samples->low;
+  scene.ground = static_cast<float>(in_scene(content.look.get(), to_eigen(lowest)).y);  // turns are about up
   add_shape(content, scene);
   if (!content.look) return scene;
   add_pinned(content, scene);
@@ -195,18 +198,18 @@ Vec3 on_shape(const FitLook* look, const glm::dvec3& point) {
   return look ? look->fit.to_shape(to_eigen(point)) : to_eigen(point);
 }
 
-std::pair<glm::dvec3, glm::dvec3> inspect_extent(const InspectContent& content) {
-  const ShapeDisplay& display = content.shape->display;
-  glm::vec3 low = display.samples->low;
-  glm::vec3 high = display.samples->high;
-  if (display.mesh && display.mesh->triangle_count() > 0) {
-    low = display.mesh->low;
-    high = display.mesh->high;
+std::vector<glm::vec3> inspected_points(const InspectContent& content) {
+  std::vector<glm::vec3> points;
+  for (const Vec3& point : content.shape->samples->points)
+    points.emplace_back(in_scene(content.look.get(), point));
+  if (!content.look) return points;
+  for (const FittedPart& part : content.look->fit.parts) {
+    if (!part.present) continue;
+    for (int corner = 0; corner < 8; ++corner)
+      points.emplace_back(to_glm(part.box.to_world(
+          {(corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0, (corner & 4) != 0 ? 1.0 : -1.0})));
   }
-  // Quarter turns: the corners stay corners.
-  const glm::dvec3 a = in_scene(content.look.get(), to_eigen(glm::dvec3(low)));
-  const glm::dvec3 b = in_scene(content.look.get(), to_eigen(glm::dvec3(high)));
-  return {glm::min(a, b), glm::max(a, b)};
+  return points;
 }
 
 }  // namespace archetype

@@ -23,7 +23,7 @@ Scene make_pick_scene(const InspectContent& content);
 // From the shape's normalised coordinates to the scene.
 glm::dvec3 in_scene(const FitLook* look, const Vec3& point);
 Vec3 on_shape(const FitLook* look, const glm::dvec3& point);
-// The corners of what is drawn.
-std::pair<glm::dvec3, glm::dvec3> inspect_extent(const InspectContent& content);
+// What a camera has to take in: the samples of the shape and the corners of its boxes.
+std::vector<glm::vec3> inspected_points(const InspectContent& content);
 
 }  // namespace archetype

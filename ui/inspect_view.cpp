@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <glm/common.hpp>
 
 #include "render/convert.h"
 #include "render/picking.h"
@@ -197,15 +196,15 @@ void frame_shapes(Studio& studio, const PlacedSide& placed) {
   if (inspection.framed && !wanted && view != CameraView::home) return;
   // Until all is there that will be shown it is framed anew.
   inspection.framed = true;
-  auto extent = inspect_extent(content_of(studio, 0));
+  std::vector<glm::vec3> points;
   for (std::size_t side = 0; side < (studio.ui.inspect.beside ? 2 : 1); ++side) {
     const std::shared_ptr<const InspectedShape>& shape = inspection.side(side).shape;
     inspection.framed = inspection.framed && shape && (!shape->fit || content_of(studio, side).look);
     if (!shape) continue;
-    const auto other = inspect_extent(content_of(studio, side));
-    extent = {glm::min(extent.first, other.first), glm::max(extent.second, other.second)};
+    const std::vector<glm::vec3> more = inspected_points(content_of(studio, side));
+    points.insert(points.end(), more.begin(), more.end());
   }
-  frame(inspection.camera, placed.viewport(), extent.first, extent.second);
+  frame_points(inspection.camera, placed.viewport(), points);
 }
 
 void draw_empty(Studio& studio) {

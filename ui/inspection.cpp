@@ -5,6 +5,7 @@
 
 #include "core/session/fit_state.h"
 #include "core/session/same_part.h"
+#include "ui/project_actions.h"
 #include "ui/studio.h"
 
 namespace archetype {
@@ -101,7 +102,8 @@ void ask_for_alternatives(Studio& studio) {
 void ask_for_cluster(Studio& studio) {
   Inspection& inspection = studio.inspection;
   const std::shared_ptr<const InspectedShape> shape = inspection.main.shape;
-  if (!shape || !shape->fit || !studio.jobs.resting()) return;
+  const bool being_changed = is_written(studio, studio.collection.path) && !studio.jobs.resting();
+  if (!shape || !shape->fit || being_changed) return;
   const ClusterRequest wanted{studio.collection.path, shape->fit->part_template, studio.collection.revision};
   if (inspection.asked_cluster == wanted) return;
   inspection.asked_cluster = wanted;

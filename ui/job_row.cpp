@@ -15,8 +15,8 @@ namespace {
 std::string progress_text(const JobView& job) {
   if (job.state == JobState::stopping) return "stopping…";
   std::string text = job.doing;
-  if (job.total > 0)
-    text += (text.empty() ? "" : "  ·  ") + count_text(job.done) + " of " + count_text(job.total);
+  const char* before_count = text.empty() ? "" : text.ends_with(':') ? " " : "  ·  ";
+  if (job.total > 0) text += before_count + count_text(job.done) + " of " + count_text(job.total);
   if (job.state == JobState::paused) return text + (text.empty() ? "paused" : "  ·  paused");
   if (job.seconds_left) text += "  ·  " + duration_text(*job.seconds_left) + " left of this step";
   return text + "  ·  " + duration_text(job.seconds) + " so far";

@@ -34,19 +34,17 @@ FigureKey key_of(Studio& studio) {
   if (entry.need == PlotNeed::labels) key.labelling = evaluations.labelling;
   if (entry.need == PlotNeed::landmarks) key.landmarks = evaluations.landmarks;
   if (entry.need == PlotNeed::subsets) key.subsets = studio.collection.content.subsets;
+  if (entry.need == PlotNeed::starts) key.starts = studio.collection.content.starts;
   if (key.fits && entry.of_template) key.part_template = template_in_focus(studio, *key.fits).value_or(0);
   if (key.fits && entry.of_part) key.part = part_in_focus(studio, *key.fits, key.part_template);
   return key;
 }
 
 PlotSources sources_of(const FigureKey& key) {
-  return {key.fits.get(),
-          key.learning.get(),
-          key.labelling.get(),
-          key.landmarks.get(),
-          key.subsets,
-          key.part_template,
-          key.part};
+  return {key.fits.get(),      key.learning.get(),
+          key.labelling.get(), key.landmarks.get(),
+          key.subsets,         key.starts ? std::span(*key.starts) : std::span<const StartMeasure>(),
+          key.part_template,   key.part};
 }
 
 // The stamp of the fits as they are in the table.

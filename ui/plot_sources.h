@@ -32,9 +32,10 @@ std::shared_ptr<const Figure> use_figure(Studio& studio);
 bool evaluated_before(const Studio& studio);
 
 // Compares with ground truth in a folder, which the project remembers; and measures how learning grows with
-// the collection. Jobs.
+// the collection, and what comes of several templates to begin with. Jobs.
 void evaluate_labels(Studio& studio, const std::filesystem::path& folder);
 void evaluate_marks(Studio& studio, const std::filesystem::path& folder);
 void measure_sizes(Studio& studio);
+void measure_starts(Studio& studio);
 
 }  // namespace archetype

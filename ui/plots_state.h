@@ -28,6 +28,7 @@ struct FigureKey {
   std::shared_ptr<const LabellingEvaluation> labelling;
   std::shared_ptr<const LandmarkEvaluation> landmarks;
   std::vector<SubsetMeasure> subsets;
+  std::shared_ptr<const std::vector<StartMeasure>> starts;
   std::size_t part_template = 0;
   std::size_t part = 0;
   friend bool operator==(const FigureKey&, const FigureKey&) = default;

@@ -57,11 +57,19 @@ Missing missing(const Studio& studio, const PlotEntry& entry) {
           "of them. The project remembers the folder.",
           "evaluate-landmarks", "Choose the folder…"};
     case PlotNeed::subsets:
-      return {"Not measured yet",
-              "Learns anew from 8, 16, 32 … of the shapes, beside your work; the project stays as it is. It "
-              "takes "
-              "as long as several learnings, and can be paused and stopped.",
-              "measure-sizes", "Measure"};
+      return {
+          "Not measured yet",
+          "Learns anew from 8, 16, 32 … of the shapes, beside your work; the project stays as it is. Where "
+          "true labels or landmarks are known, a quarter of the shapes is kept apart to judge by. It takes "
+          "as long as several learnings, and can be paused and stopped.",
+          "measure-sizes", "Measure"};
+    case PlotNeed::starts:
+      return {
+          "Not measured yet",
+          "Learns from each of the six best templates that are suggested for the shapes, beside your work, "
+          "and shows how alike the results are; the project stays as it is. It takes as long as several "
+          "learnings, and can be paused and stopped.",
+          "measure-starts", "Measure"};
   }
   return {"No shape is fitted yet", "Fit a template to all shapes, or learn from them.", "fit-all",
           "Fit all shapes"};
@@ -111,11 +119,12 @@ void draw_plots_tools(Studio& studio) {
       choose_part(studio, *table, chosen, 170 * studio.fonts.scale);
     }
   }
-  if (entry.need == PlotNeed::labels || entry.need == PlotNeed::landmarks ||
-      entry.need == PlotNeed::subsets) {
+  if (entry.need != PlotNeed::fits && entry.need != PlotNeed::learning) {
     separator_in_line(studio);
     if (entry.need == PlotNeed::subsets)
       command_button(studio, "measure-sizes", "Measure");
+    else if (entry.need == PlotNeed::starts)
+      command_button(studio, "measure-starts", "Measure");
     else if (entry.need == PlotNeed::labels)
       command_button(studio, "evaluate-labels", "True labels…");
     else

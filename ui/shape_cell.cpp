@@ -6,6 +6,7 @@
 
 #include "ui/icons.h"
 #include "ui/part_highlight.h"
+#include "ui/picked_place.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
@@ -139,19 +140,6 @@ bool draw_template_button(Studio& studio, const ShapeRow& row, ImVec2 low, ImVec
   tooltip("Make a template from this shape");
   ImGui::SetCursorScreenPos(after);
   return clicked;
-}
-
-}  // namespace
-
-namespace {
-
-// The place that was picked, from the mean box of its part to that of the same part of another template.
-std::optional<Vec3> place_in(const FitTable& table, const PickedPlace& place, const PartTemplate& other,
-                             std::size_t part) {
-  const auto of = std::ranges::find(table.templates, place.on.part_template, &TemplateRecord::id);
-  if (of == table.templates.end()) return std::nullopt;
-  const Box from = of->part_template.parts[place.on.part].mean_box();
-  return other.parts[part].mean_box().to_world(from.to_local(place.canonical));
 }
 
 }  // namespace

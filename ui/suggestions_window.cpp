@@ -40,12 +40,15 @@ bool draw_suggestion(Studio& studio, std::size_t rank, float side) {
   const ImU32 frame = ImGui::GetColorU32(chosen ? colours(studio).accent : colours(studio).border);
   draw.AddRect(at, {at.x + side, at.y + side}, frame, 4 * studio.fonts.scale, 0, chosen ? 2.0f : 1.0f);
   ImGui::PopID();
-  char text[64];
-  std::snprintf(text, sizeof text, "%zu parts, energy %.3f", part_template.parts.size(),
-                suggestion.found.mean_energy);
+  char text[96];
+  std::snprintf(text, sizeof text, "score %.3f, %zu parts", suggestion.found.score,
+                part_template.parts.size());
   ImGui::TextUnformatted(fitted(part_template.name, side).c_str());
   tooltip(part_template.name.c_str());
   muted_text(studio, fitted(text, side));
+  std::snprintf(text, sizeof text, "Mean energy %.3f over the shapes, and the price of %zu parts",
+                suggestion.found.mean_energy, part_template.parts.size());
+  tooltip(text);
   ImGui::EndGroup();
   if (clicked) studio.ui.chosen_suggestion = rank;
   return clicked && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
@@ -75,10 +78,12 @@ void draw_suggestions_window(Studio& studio) {
   ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
   if (ImGui::Begin("Suggested templates", &studio.ui.show_suggestions, ImGuiWindowFlags_NoCollapse)) {
     if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
-    muted_paragraph(studio,
-                    "The one that fits the collection best comes first. The points are those of the shape "
-                    "that it was made of, in the colours of the parts. A double click or Enter takes one; "
-                    "learning makes it better.");
+    muted_paragraph(
+        studio,
+        "The one with the least score comes first: its mean energy over the shapes, and a price "
+        "for each part, since more parts always fit better. The points are those of the shape that "
+        "it was made of, in the colours of the parts. A double click or Enter takes one; learning "
+        "makes it better.");
     std::size_t& chosen = studio.ui.chosen_suggestion;
     chosen = std::min(chosen, studio.ui.suggestions.size() - 1);
     std::optional<std::size_t> taken;

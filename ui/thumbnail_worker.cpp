@@ -30,16 +30,6 @@ glm::mat4 turned_into_frame(const ShapeFit& fit) {
   return matrix;
 }
 
-std::vector<glm::vec3> corners_of(const Bounds& extent) {
-  std::vector<glm::vec3> corners;
-  if (extent.empty()) return corners;
-  for (int corner = 0; corner < 8; ++corner)
-    corners.emplace_back((corner & 1) != 0 ? extent.high.x() : extent.low.x(),
-                         (corner & 2) != 0 ? extent.high.y() : extent.low.y(),
-                         (corner & 4) != 0 ? extent.high.z() : extent.low.z());
-  return corners;
-}
-
 class ThumbnailMaker {
  public:
   explicit ThumbnailMaker(const fs::path& shaders) : renderer_(shaders) {}
@@ -95,7 +85,7 @@ class ThumbnailMaker {
     if (!nearest) return;
     ThumbnailOptions options{.size = thumbnail_size};
     options.transform = turned_into_frame(fit->fit);
-    options.framed = corners_of(framed_extent(part_template));
+    options.framed = framed_corners(part_template);
     const std::vector<glm::vec3> positions = positions_of(*record);
     const Viewport size{thumbnail_size, thumbnail_size};
     if (const auto at = to_screen(shape_camera(positions, options), size, to_glm(*nearest)))
@@ -140,7 +130,7 @@ class ThumbnailMaker {
     if (!fit) return nullptr;
     const PartTemplate& part_template = template_of(fit->part_template);
     options.transform = turned_into_frame(fit->fit);
-    options.framed = corners_of(framed_extent(part_template));
+    options.framed = framed_corners(part_template);
     const auto labels = project_->labels(shape);
     if (!labels || labels->size() != elements) return nullptr;
     if (!options.mask) return colours_of_labels(*labels, coloured ? coloured : &part_template);
@@ -184,6 +174,32 @@ bool keep_thumbnail(Project& project, ShapeId shape, const std::string& kind, co
   project.store_thumbnail(shape, kind, picture);
   transaction.commit();
   return true;
+}
+
+std::function<Picture(ShapeId)> thumbnail_drawer(fs::path project, fs::path shaders) {
+  struct Drawing {
+    explicit Drawing(const fs::path& shader_folder) : maker(shader_folder) {}
+    gl::HeadlessContext context;
+    ThumbnailMaker maker;
+  };
+  return [project = std::move(project), shaders = std::move(shaders), failed = false,
+          drawing = std::shared_ptr<Drawing>()](ShapeId shape) mutable -> Picture {
+    if (failed) return {};
+    try {
+      if (!drawing) drawing = std::make_shared<Drawing>(shaders);
+    } catch (const std::exception&) {  // no OpenGL beside the window
+      failed = true;
+      return {};
+    }
+    try {
+      WantedThumbnail wanted;
+      wanted.shape = shape;
+      wanted.fitted = true;
+      return drawing->maker.make(project, wanted);
+    } catch (const std::exception&) {  // a file that is gone, broken or too large
+      return {};
+    }
+  };
 }
 
 ThumbnailWorker::ThumbnailWorker(fs::path shaders, std::function<void()> wake)

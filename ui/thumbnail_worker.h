@@ -54,6 +54,11 @@ ThumbnailSource thumbnail_source(const Project& project, ShapeId shape);
 bool keep_thumbnail(Project& project, ShapeId shape, const std::string& kind, const Picture& picture,
                     const ThumbnailSource& source);
 
+// Draws fitted shapes of a project on the thread that calls, with an OpenGL context of its own that is opened
+// for the first of them; keeps the pictures as the worker does. An empty picture where one cannot be drawn.
+std::function<Picture(ShapeId)> thumbnail_drawer(std::filesystem::path project,
+                                                 std::filesystem::path shaders);
+
 // Pictures that the project has already are taken from there; new ones are kept there.
 class ThumbnailWorker {
  public:

@@ -72,6 +72,7 @@ struct BrowseFor {
   bool saving = false;
   bool replaces = true;       // while saving: offers to replace a file that is there
   bool shapes = false;        // files that can be imported, and folders
+  bool figure = false;        // while saving: asks for the width too, and whether it is transparent
   std::string ending = {};    // ".json": only these files are shown, and it is added when saving; "" for all
   std::string proposed = {};  // while saving: a name to begin with
 };
@@ -83,6 +84,8 @@ struct FileBrowserState {
   std::filesystem::path folder;
   std::string typed;  // the field: a name in the folder, or a path
   bool asked_to_replace = false;
+  int figure_width = 2400;  // pixels
+  bool transparent = false;
 };
 
 // A suggested template, and the shape whose segmentation it was made of.

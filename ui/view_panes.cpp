@@ -119,24 +119,31 @@ void follow_flight(Studio& studio, const ViewportContent& content, const PlacedP
   if (pane.flight && !advance_flight(*pane.flight, pane.camera)) pane.flight.reset();
 }
 
+ScreenRect pane_title_place(const Studio& studio, const PlacedPane& placed) {
+  const float scale = studio.fonts.scale;
+  ImGui::PushFont(studio.fonts.small);
+  const ImVec2 text = ImGui::CalcTextSize(pane_names[placed.index]);
+  ImGui::PopFont();
+  const ImVec2 high(placed.origin.x + placed.size.x - 6 * scale, placed.origin.y + text.y + 11 * scale);
+  return {{high.x - text.x - 12 * scale, placed.origin.y + 6 * scale}, high};
+}
+
 void draw_pane_title(Studio& studio, const PlacedPane& placed) {
   const float scale = studio.fonts.scale;
   bool& four = studio.ui.view.four_views;
   const char* name = pane_names[placed.index];
-  ImGui::PushFont(studio.fonts.small);
-  const ImVec2 text = ImGui::CalcTextSize(name);
-  const ImVec2 size(text.x + 12 * scale, text.y + 5 * scale);
-  const ImVec2 low(placed.origin.x + placed.size.x - size.x - 6 * scale, placed.origin.y + 6 * scale);
+  const auto [low, high] = pane_title_place(studio, placed);
   ImGui::SetCursorScreenPos(low);
   ImGui::PushID(name);
-  const bool clicked = ImGui::InvisibleButton("title", size);
+  const bool clicked = ImGui::InvisibleButton("title", {high.x - low.x, high.y - low.y});
   ImGui::PopID();
   mark_target(studio, std::string("pane:") + name);
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImVec4 back = hovered ? colours(studio).hovered : colours(studio).panel;
-  draw->AddRectFilled(low, {low.x + size.x, low.y + size.y},
-                      ImGui::GetColorU32({back.x, back.y, back.z, hovered ? 0.95F : 0.6F}), 4 * scale);
+  ImGui::PushFont(studio.fonts.small);
+  draw->AddRectFilled(low, high, ImGui::GetColorU32({back.x, back.y, back.z, hovered ? 0.95F : 0.6F}),
+                      4 * scale);
   draw->AddText({low.x + 6 * scale, low.y + 2.5F * scale},
                 ImGui::GetColorU32(hovered ? colours(studio).text : colours(studio).muted), name);
   ImGui::PopFont();

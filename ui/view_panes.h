@@ -11,6 +11,7 @@
 #include "render/camera.h"
 #include "render/renderer.h"
 #include "ui/ui_state.h"
+#include "ui/viewport_overlay.h"
 
 namespace archetype {
 
@@ -79,7 +80,9 @@ void take_wishes(Studio& studio, const ViewportContent& content, const std::vect
 // Moves the camera of a pane on, and brings the first shape into its picture.
 void follow_flight(Studio& studio, const ViewportContent& content, const PlacedPane& placed);
 
-// The name of the pane in its corner: a click makes it large, or shows all four again.
+// Where the name of the pane stands, in its corner.
+ScreenRect pane_title_place(const Studio& studio, const PlacedPane& placed);
+// A click makes the pane large, or shows all four again.
 void draw_pane_title(Studio& studio, const PlacedPane& placed);
 
 }  // namespace archetype

@@ -10,6 +10,7 @@
 #include "ui/camera_mouse.h"
 #include "ui/edit_overlay.h"
 #include "ui/heat_map.h"
+#include "ui/picked_place.h"
 #include "ui/selection.h"
 #include "ui/spread_mouse.h"
 #include "ui/studio.h"
@@ -149,11 +150,16 @@ void draw_overlay(Studio& studio, const PlacedPane& placed, const GizmoView& vie
   draw.PushClipRect(origin, {origin.x + size.x, origin.y + size.y}, true);
   const std::shared_ptr<const PartTemplate> shown = shown_template(studio);
   if (shown && studio.ui.view.mean_boxes && studio.ui.view.part_names)
-    draw_part_names(draw, origin, *shown, studio.ui.part, view);
+    draw_part_names(draw, origin, *shown, studio.ui.part, view, pane_title_place(studio, placed));
   const auto of_mouse = state.drag ? std::optional(state.drag->handle) : state.handle;
   const auto highlighted = placed.index == state.current ? of_mouse : std::nullopt;
   const std::vector<PlacedPart> selected = selected_boxes(studio);
   if (selected.size() > 1 && !shapes.empty()) draw_box_edges(draw, origin, *held_box(selected), view);
+  if (const auto place = picked_in_viewport(studio))
+    if (const auto pixel = to_screen(view.camera, view.viewport, *place))
+      draw_place_ring(draw,
+                      {origin.x + static_cast<float>(pixel->x), origin.y + static_cast<float>(pixel->y)},
+                      studio.fonts.scale);
   draw_handles(draw, origin, shapes, highlighted, view.scale);
   if (state.snapped) draw_snapped(draw, origin, *state.snapped, view);
   if (placed.index == state.current) {

@@ -77,14 +77,12 @@ void draw_handle(ImDrawList& draw, ImVec2 origin, const HandleShape& shape, bool
   }
 }
 
-struct NameTag {
+struct NameTag : ScreenRect {
   std::size_t part = 0;
   double depth = 0;
-  ImVec2 low;
-  ImVec2 high;
 };
 
-bool overlap(const NameTag& a, const NameTag& b) {
+bool overlap(const ScreenRect& a, const ScreenRect& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
@@ -96,7 +94,7 @@ std::optional<glm::dvec2> corner_on_screen(const Box& box, int corner, const Giz
 
 // Above the corner of the box that is highest on the screen.
 std::optional<NameTag> place_name(const TemplatePart& part, std::size_t index, ImVec2 origin,
-                                  const GizmoView& view) {
+                                  const GizmoView& view, const ScreenRect& taken) {
   const Box box = part.mean_box();
   std::optional<glm::dvec2> top;
   double left = 0;
@@ -111,11 +109,16 @@ std::optional<NameTag> place_name(const TemplatePart& part, std::size_t index, I
   const auto scale = static_cast<float>(view.scale);
   const ImVec2 text = ImGui::CalcTextSize(part.name.c_str());
   const ImVec2 middle = at(origin, {0.5 * (left + right), top->y});
-  NameTag tag{index, view_depth(view.camera, to_glm(box.centre)), {}, {}};
+  NameTag tag{{}, index, view_depth(view.camera, to_glm(box.centre))};
   tag.low = {middle.x - 0.5F * text.x - 6 * scale, middle.y - text.y - 9 * scale};
   const bool just_above = tag.low.y < origin.y && middle.y > origin.y - text.y;
   if (just_above) tag.low.y = origin.y + 2 * scale;  // rather than cut off
-  tag.high = {tag.low.x + text.x + 12 * scale, tag.low.y + text.y + 5 * scale};
+  const float height = text.y + 5 * scale;
+  tag.high = {tag.low.x + text.x + 12 * scale, tag.low.y + height};
+  if (overlap(tag, taken)) {
+    tag.low.y = taken.high.y + 2 * scale;
+    tag.high.y = tag.low.y + height;
+  }
   return tag;
 }
 
@@ -147,10 +150,10 @@ void draw_box_edges(ImDrawList& draw, ImVec2 origin, const Box& box, const Gizmo
 }
 
 void draw_part_names(ImDrawList& draw, ImVec2 origin, const PartTemplate& part_template,
-                     std::optional<std::size_t> selected, const GizmoView& view) {
+                     std::optional<std::size_t> selected, const GizmoView& view, const ScreenRect& taken) {
   std::vector<NameTag> tags;
   for (std::size_t i = 0; i < part_template.parts.size(); ++i)
-    if (const auto tag = place_name(part_template.parts[i], i, origin, view)) tags.push_back(*tag);
+    if (const auto tag = place_name(part_template.parts[i], i, origin, view, taken)) tags.push_back(*tag);
   std::stable_sort(tags.begin(), tags.end(), [&](const NameTag& a, const NameTag& b) {
     if ((selected == a.part) != (selected == b.part)) return selected == a.part;
     return a.depth < b.depth;
@@ -169,6 +172,11 @@ void draw_part_names(ImDrawList& draw, ImVec2 origin, const PartTemplate& part_t
     draw.AddText({tag.low.x + 6 * scale, tag.low.y + 2.5F * scale},
                  chosen ? white : IM_COL32(236, 238, 241, 235), part_template.parts[tag.part].name.c_str());
   }
+}
+
+void draw_place_ring(ImDrawList& draw, ImVec2 middle, float scale) {
+  draw.AddCircle(middle, 9 * scale, dark_rim, 24, 4.5F * scale);
+  draw.AddCircle(middle, 9 * scale, highlight, 24, 2.2F * scale);
 }
 
 void draw_axes(ImDrawList& draw, ImVec2 origin, const GizmoView& view, ImU32 text_colour) {

@@ -17,9 +17,17 @@ void draw_handles(ImDrawList& draw, ImVec2 origin, const std::vector<HandleShape
                   const std::optional<Handle>& highlighted, double scale);
 // The edges of the box that the handles of several parts are about.
 void draw_box_edges(ImDrawList& draw, ImVec2 origin, const Box& box, const GizmoView& view);
-// Each name above its box; one that would lie over another's is left out, the selected part's never.
+// A rectangle, screen units.
+struct ScreenRect {
+  ImVec2 low;
+  ImVec2 high;
+};
+// Each name above its box, or below `taken` where it would lie over that; one that would lie over another's
+// is left out, the selected part's never.
 void draw_part_names(ImDrawList& draw, ImVec2 origin, const PartTemplate& part_template,
-                     std::optional<std::size_t> selected, const GizmoView& view);
+                     std::optional<std::size_t> selected, const GizmoView& view, const ScreenRect& taken);
+// About a place that was pointed at, in whichever view.
+void draw_place_ring(ImDrawList& draw, ImVec2 middle, float scale);
 // The colour of an axis of the template, or of a box.
 ImU32 axis_colour(int axis);
 // In the lower left corner: where x, y and z point.

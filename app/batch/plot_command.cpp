@@ -30,6 +30,7 @@ struct Gathered {
   std::optional<LabellingEvaluation> labelling;
   std::optional<LandmarkEvaluation> landmarks;
   std::vector<SubsetMeasure> subsets;
+  std::vector<StartMeasure> starts;
   bool stopped = false;
 };
 
@@ -52,8 +53,18 @@ std::string what_is_missing(const PlotEntry& entry, const Arguments& arguments) 
       return "no two labelled shapes of it have landmarks in " + arguments.truth.landmarks.string();
     case PlotNeed::subsets:
       return "it has no shapes or no template to learn from";
+    case PlotNeed::starts:
+      return "it has no shapes to learn from";
   }
   return "";
+}
+
+// What was said, or else what the project knows of.
+GroundTruthFolders known_truth(const Project& project, const Arguments& arguments) {
+  GroundTruthFolders truth = ground_truth_folders(project);
+  if (!arguments.truth.labels.empty()) truth.labels = arguments.truth.labels;
+  if (!arguments.truth.landmarks.empty()) truth.landmarks = arguments.truth.landmarks;
+  return truth;
 }
 
 Gathered gather(const Project& project, const PlotEntry& entry, const Arguments& arguments,
@@ -71,13 +82,21 @@ Gathered gather(const Project& project, const PlotEntry& entry, const Arguments&
   } else if (entry.need == PlotNeed::landmarks) {
     found.landmarks = evaluate_landmarks(project, needed(arguments.truth.landmarks, "--landmarks", entry),
                                          invocation.threads, control);
-  } else if (project.shape_count() > 0) {
+  } else if (project.shape_count() > 0 && entry.need == PlotNeed::subsets) {
     found.subsets = stored_subset_measures(project);
     const std::vector<PartTemplate> start = learning_start(project);
     if (found.subsets.empty() && !start.empty()) {
-      auto measured = measure_subsets(project, start, subset_sizes(project.shape_count()), invocation.seed,
-                                      invocation.threads, control);
+      auto measured =
+          measure_subsets(project, start, subset_sizes(project.shape_count()),
+                          known_truth(project, arguments), invocation.seed, invocation.threads, control);
       if (measured) found.subsets = std::move(*measured);
+    }
+  } else if (project.shape_count() > 0) {
+    found.starts = stored_start_measures(project);
+    if (found.starts.empty()) {
+      auto measured = measure_suggested_starts(project, known_truth(project, arguments), invocation.seed,
+                                               invocation.threads, control);
+      if (measured) found.starts = std::move(*measured);
     }
   }
   found.stopped = control.cancelled();
@@ -107,6 +126,7 @@ int run_plot(const Arguments& arguments, const Invocation& invocation) {
   sources.labelling = found.labelling ? &*found.labelling : nullptr;
   sources.landmarks = found.landmarks ? &*found.landmarks : nullptr;
   sources.subsets = found.subsets;
+  sources.starts = found.starts;
   if (found.fits && entry.of_template) {
     sources.part_template = index_of<TemplateRecord>(
         found.fits->templates, arguments.part_template, "template",
@@ -122,6 +142,8 @@ int run_plot(const Arguments& arguments, const Invocation& invocation) {
   // They took as long as several learnings: the next time they are there.
   if (entry.need == PlotNeed::subsets && stored_subset_measures(project) != found.subsets)
     store_subset_measures(project, found.subsets);
+  if (entry.need == PlotNeed::starts && stored_start_measures(project) != found.starts)
+    store_start_measures(project, found.starts);
   const bool refused = (found.labelling && !found.labelling->refused.empty()) ||
                        (found.landmarks && !found.landmarks->refused.empty());
   return refused ? exit_code::some_refused : exit_code::done;

@@ -91,6 +91,7 @@ DesktopWindow::DesktopWindow(int width, int height, StudioOptions options)
   // The keys come through our own queue; the rest is the back end's.
   ImGui_ImplGlfw_InitForOpenGL(window, true);
   glfwSetKeyCallback(window, on_key);
+  glfwSetCharCallback(window, on_char);
   glfwSetDropCallback(window, on_drop);
   options.wake = glfwPostEmptyEvent;
   studio_.emplace(std::move(options));
@@ -107,6 +108,10 @@ void DesktopWindow::on_key(GLFWwindow* window, int key, int scancode, int action
   const KeyFeed::Event event{key, scancode, action, mods};
   self.keys_.add(event);
   if (const auto chord = chord_of(event)) self.studio_->pressed_keys.push_back(*chord);
+}
+
+void DesktopWindow::on_char(GLFWwindow* window, unsigned character) {
+  static_cast<DesktopWindow*>(glfwGetWindowUserPointer(window))->keys_.add({0, 0, 0, 0, character});
 }
 
 void DesktopWindow::on_drop(GLFWwindow* window, int count, const char** paths) {

@@ -32,6 +32,7 @@ class DesktopWindow {
 
  private:
   static void on_key(GLFWwindow* window, int key, int scancode, int action, int mods);
+  static void on_char(GLFWwindow* window, unsigned character);
   static void on_drop(GLFWwindow* window, int count, const char** paths);
   void wait_for_events();
 

@@ -57,14 +57,44 @@ std::string key_name(int key, int scancode) {
   return printed ? printed : "";
 }
 
+bool types(int key) {
+  return key < GLFW_KEY_ESCAPE ||
+         (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_EQUAL && key != GLFW_KEY_KP_ENTER);
+}
+
+bool is_shift(int key) {
+  return key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT;
+}
+
 }  // namespace
 
-bool KeyFeed::feed(GLFWwindow* window) {
+std::vector<KeyFeed::Event> KeyFeed::take() {
+  std::vector<Event> taken;
   std::set<int> changed;
-  while (!events_.empty() && changed.insert(events_.front().key).second) {
-    const Event event = events_.front();
-    events_.pop_front();
-    ImGui_ImplGlfw_KeyCallback(window, event.key, event.scancode, event.action, event.mods);
+  bool typed = false;       // a character in this frame
+  bool controlled = false;  // a key that a field heeds itself, such as Backspace, was pressed in this frame
+  for (; !events_.empty(); events_.pop_front()) {
+    const Event& event = events_.front();
+    if (event.character != 0) {
+      if (controlled) break;
+      typed = true;
+    } else {
+      if (typed && !types(event.key)) break;
+      if (!changed.insert(event.key).second) break;
+      const bool plain = types(event.key) && (event.mods & GLFW_MOD_CONTROL) == 0;
+      controlled = controlled || (event.action != GLFW_RELEASE && !plain && !is_shift(event.key));
+    }
+    taken.push_back(event);
+  }
+  return taken;
+}
+
+bool KeyFeed::feed(GLFWwindow* window) {
+  for (const Event& event : take()) {
+    if (event.character != 0)
+      ImGui_ImplGlfw_CharCallback(window, event.character);
+    else
+      ImGui_ImplGlfw_KeyCallback(window, event.key, event.scancode, event.action, event.mods);
   }
   return !events_.empty();
 }

@@ -1,6 +1,7 @@
 // Label and landmark files of the COSEG and Princeton collections.
 #include "core/io/labels.h"
 
+#include <algorithm>
 #include <limits>
 #include <map>
 
@@ -111,6 +112,24 @@ std::vector<int> read_labels(const std::filesystem::path& path, std::size_t elem
 std::optional<std::filesystem::path> find_labels(const std::filesystem::path& folder,
                                                  const std::string& shape_name) {
   return find_of_shape(folder, shape_name, {".seg", named_ending});
+}
+
+std::vector<std::string> read_numbered_names(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / "names.txt";
+  std::vector<std::string> names;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return names;
+  const std::string content = read_file(path);
+  for (std::size_t at = 0; at < content.size();) {
+    const std::size_t end = std::min(content.find('\n', at), content.size());
+    std::string line = content.substr(at, end - at);
+    if (line.ends_with('\r')) line.pop_back();
+    at = end + 1;
+    const std::string number = std::to_string(names.size()) + ' ';
+    if (!line.starts_with(number)) return {};
+    names.push_back(line.substr(number.size()));
+  }
+  return names;
 }
 
 void write_labels(const std::filesystem::path& path, std::span<const int> labels) {

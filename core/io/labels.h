@@ -25,6 +25,10 @@ std::vector<int> read_labels(const std::filesystem::path& path, std::size_t elem
 std::optional<std::filesystem::path> find_labels(const std::filesystem::path& folder,
                                                  const std::string& shape_name);
 
+// The names in FOLDER/names.txt by number: "0 seat" and so on, a line each. Empty where there is no such
+// file, or it is another one.
+std::vector<std::string> read_numbered_names(const std::filesystem::path& folder);
+
 void write_labels(const std::filesystem::path& path, std::span<const int> labels);
 
 // Landmarks: one "x y z" a line, "-1" alone for a landmark that the shape lacks.

@@ -90,8 +90,8 @@ using Thumbnail = Picture;
 
 // The kinds of thumbnails that show a shape's fit: in the template's frame, in the colours of its parts, and
 // the same with the number of the part at each pixel. What begins like these goes with the fit.
-inline constexpr std::string_view parts_thumbnail = "parts posed";
-inline constexpr std::string_view part_mask_thumbnail = "parts mask";
+inline constexpr std::string_view parts_thumbnail = "parts framed";
+inline constexpr std::string_view part_mask_thumbnail = "parts framed mask";
 inline constexpr std::string_view fit_thumbnails = "parts%";
 
 // One connection. Use one object per thread; several, also in several processes, may have the same file open.

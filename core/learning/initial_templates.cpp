@@ -100,6 +100,7 @@ class Search {
   bool join() {
     std::vector<InitialTemplate> joined;
     const std::size_t bases = std::min(joined_bases, ranked_.size());
+    control_.progress(0, bases, "joining");  // the first one takes its time: "scoring" is over
     for (std::size_t c = 0; c < bases; ++c) {
       std::optional<InitialTemplate> candidate = joined_from(ranked_[c].part_template);
       if (!candidate) return false;

@@ -11,9 +11,9 @@ namespace archetype {
 
 namespace {
 
-ReportContent read_content(const Project& project, const JobControl& control) {
+ReportContent read_content(const Project& project, const DrawShape& draw, const JobControl& control) {
   ReportContent content{project,           project.templates(),      project.fits(), {},
-                        project.refused(), learning_record(project), control};
+                        project.refused(), learning_record(project), control,        draw};
   for (const ShapeRecord& shape : project.shapes()) content.names[shape.id] = shape.name;
   for (const FitSummary& fit : content.fits) {
     const bool known = std::ranges::any_of(
@@ -41,7 +41,7 @@ std::string navigation(const std::string& body) {
 
 std::optional<HtmlReport> html_report(const Project& project, const ReportOptions& options,
                                       const JobControl& control) {
-  ReportContent content = read_content(project, control);
+  ReportContent content = read_content(project, options.draw, control);
   const std::size_t steps = options.labels.empty() ? 2 : 3;
   control.progress(0, steps, "writing the report");
   std::string body = collection_section(content) + templates_section(content) + clusters_section(content);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -10,10 +11,14 @@
 
 namespace archetype {
 
+// A picture of a fitted shape; an empty one where none can be drawn. Throws nothing.
+using DrawShape = std::function<Picture(ShapeId)>;
+
 struct ReportOptions {
   std::string title;             // of the page; "": the name of the project's file
   std::filesystem::path labels;  // of ground truth, for the accuracy; empty: none
   unsigned threads = 0;          // 0: all
+  DrawShape draw = {};           // shapes that the project keeps no thumbnail of; else by their samples
 };
 
 struct HtmlReport {
@@ -25,8 +30,8 @@ struct HtmlReport {
 // The page is whole: pictures lie inside of it, nothing is loaded and no script is needed. It shows the
 // collection, the templates, the clusters with their best members, the worst fits, the accuracy, learning,
 // settings and what was refused; long lists are cut, and say so. The same project gives the same bytes.
-// Pictures are the thumbnails that the window has kept, and drawn from samples where there is none; about 20
-// KB each, at most some hundred. Nothing if cancelled. Throws FileError.
+// Pictures are the thumbnails that the window has kept, and drawn where there is none; about 20 KB each, at
+// most some hundred. Nothing if cancelled. Throws FileError.
 std::optional<HtmlReport> html_report(const Project& project, const ReportOptions& options,
                                       const JobControl& control);
 

@@ -13,6 +13,34 @@ std::string judged_by(const LearningRecord& record) {
          (record.settled ? "; the last round kept nothing new" : "; not settled");
 }
 
+// On shapes that no subset holds; no series where there was no ground truth.
+Plot accuracy_by_size(std::span<const SubsetMeasure> measures) {
+  Plot plot;
+  plot.title = "Accuracy on other shapes";
+  plot.x = {.label = "shapes", .low = 0};
+  plot.y = {.label = "share", .low = 0, .high = 1, .percent = true};
+  PlotSeries correspondence{.name = "landmarks within 0.05 of the diameter",
+                            .kind = SeriesKind::line_and_dots,
+                            .colour = series_colour(1)};
+  PlotSeries labelling{.name = "area with its true label",
+                       .kind = SeriesKind::line_and_dots,
+                       .colour = series_colour(0),
+                       .dashed = true};
+  for (const SubsetMeasure& measure : measures) {
+    if (measure.judging > 0) plot.note = "Of " + count_of(measure.judging, "shape") + " that no subset holds";
+    const auto add = [&](PlotSeries& series, const std::optional<double>& share) {
+      if (!share) return;
+      series.x.push_back(static_cast<double>(measure.shapes));
+      series.y.push_back(*share);
+    };
+    add(correspondence, measure.accuracy.correspondence);
+    add(labelling, measure.accuracy.labelling);
+  }
+  for (PlotSeries* series : {&correspondence, &labelling})
+    if (!series->x.empty()) plot.series.push_back(std::move(*series));
+  return plot;
+}
+
 }  // namespace
 
 Figure plot_learning_energy(const PlotSources& sources) {
@@ -54,7 +82,7 @@ Figure plot_learning_templates(const PlotSources& sources) {
 Figure plot_learning_sizes(const PlotSources& sources) {
   Plot time;
   time.title = "Time";
-  time.note = "Random subsets of this collection, the smaller ones within the larger ones";
+  time.note = "Random subsets, the smaller ones within the larger ones";
   time.x = {.label = "shapes", .low = 0};
   time.y = {.label = "seconds", .low = 0};
   PlotSeries learning{.name = "learning", .kind = SeriesKind::line_and_dots, .colour = series_colour(0)};
@@ -77,7 +105,46 @@ Figure plot_learning_sizes(const PlotSources& sources) {
   }
   time.series = {std::move(learning), std::move(fitting)};
   templates.series.push_back(std::move(count));
-  return {.panels = {std::move(time), std::move(templates)}, .columns = 2};
+  Figure figure{.panels = {std::move(time), std::move(templates)}, .columns = 2};
+  if (Plot accuracy = accuracy_by_size(sources.subsets); !accuracy.series.empty())
+    figure.panels.insert(figure.panels.begin(), std::move(accuracy));
+  return figure;
+}
+
+Figure plot_learning_starts(const PlotSources& sources) {
+  Plot energy;
+  energy.title = "Mean energy";
+  energy.note = "Of the fits to all shapes, existence of parts included; less is better";
+  Plot labelling;
+  labelling.title = "Labels right, by area";
+  labelling.note = "With the best assignment of labels to the parts";
+  labelling.y = {.low = 0, .high = 1, .percent = true};
+  const PlotSeries before{.name = "before learning", .kind = SeriesKind::bars, .colour = series_colour(4)};
+  const PlotSeries after{.name = "after learning", .kind = SeriesKind::bars, .colour = series_colour(0)};
+  energy.series = {before, after};
+  labelling.series = {before, after};
+  bool labelled = false;
+  for (const StartMeasure& measure : sources.starts) {
+    const auto at = static_cast<double>(energy.categories.size());
+    for (Plot* plot : {&energy, &labelling}) {
+      plot->categories.push_back(measure.initial.name);
+      for (PlotSeries& series : plot->series) series.x.push_back(at);
+    }
+    const std::string parts = count_of(measure.initial.parts.size(), "part");
+    const std::string learned = count_of(measure.learned.size(), "template");
+    energy.series[0].y.push_back(measure.energy_before);
+    energy.series[1].y.push_back(measure.energy_after);
+    labelling.series[0].y.push_back(measure.before.best_labelling.value_or(0));
+    labelling.series[1].y.push_back(measure.after.best_labelling.value_or(0));
+    for (Plot* plot : {&energy, &labelling}) {
+      plot->series[0].notes.push_back(parts);
+      plot->series[1].notes.push_back(learned);
+    }
+    labelled = labelled || measure.after.best_labelling;
+  }
+  Figure figure{.panels = {std::move(energy)}, .columns = 2};
+  if (labelled) figure.panels.insert(figure.panels.begin(), std::move(labelling));
+  return figure;
 }
 
 }  // namespace archetype

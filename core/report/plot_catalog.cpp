@@ -29,6 +29,8 @@ constexpr std::array entries{
               plot_learning_templates},
     PlotEntry{"learning-sizes", "Growth with the collection", learning, PlotNeed::subsets, false, false,
               plot_learning_sizes},
+    PlotEntry{"learning-starts", "Learning from several starts", learning, PlotNeed::starts, false, false,
+              plot_learning_starts},
     PlotEntry{"accuracy-by-label", "Accuracy by label", accuracy, PlotNeed::labels, false, false,
               plot_accuracy_by_label},
     PlotEntry{"accuracy-by-part", "Accuracy by part", accuracy, PlotNeed::labels, false, false,
@@ -72,6 +74,8 @@ bool has_what_it_needs(const PlotEntry& entry, const PlotSources& sources) {
       return sources.landmarks && sources.landmarks->all.by_diameter.count() > 0;
     case PlotNeed::subsets:
       return !sources.subsets.empty();
+    case PlotNeed::starts:
+      return !sources.starts.empty();
   }
   return false;
 }

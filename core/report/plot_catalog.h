@@ -11,12 +11,13 @@
 #include "core/session/evaluate_landmarks.h"
 #include "core/session/fit_table.h"
 #include "core/session/learn_templates.h"
+#include "core/session/measure_starts.h"
 #include "core/session/measure_subsets.h"
 
 namespace archetype {
 
 // What a plot cannot be made without.
-enum class PlotNeed { fits, learning, labels, landmarks, subsets };
+enum class PlotNeed { fits, learning, labels, landmarks, subsets, starts };
 
 // Null or empty: not at hand. The plots point to none of it.
 struct PlotSources {
@@ -25,6 +26,7 @@ struct PlotSources {
   const LabellingEvaluation* labelling = nullptr;
   const LandmarkEvaluation* landmarks = nullptr;
   std::span<const SubsetMeasure> subsets = {};
+  std::span<const StartMeasure> starts = {};
   // For the plots of one template, and of one of its parts: an index into the templates of the fits.
   std::size_t part_template = 0;
   std::size_t part = 0;

@@ -15,7 +15,8 @@ Figure plot_part_parameters(const PlotSources& sources);  // histograms with the
 // learning_plots.cpp
 Figure plot_learning_energy(const PlotSources& sources);
 Figure plot_learning_templates(const PlotSources& sources);
-Figure plot_learning_sizes(const PlotSources& sources);  // figure 12, on the right
+Figure plot_learning_sizes(const PlotSources& sources);   // figure 12
+Figure plot_learning_starts(const PlotSources& sources);  // the numbers of figure 11
 
 // accuracy_plots.cpp
 Figure plot_accuracy_by_label(const PlotSources& sources);

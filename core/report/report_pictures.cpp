@@ -96,9 +96,11 @@ Picture sample_picture(const ShapeSamples& samples, const PartTemplate* part_tem
   return averaged(canvas);
 }
 
-Picture report_picture(const Project& project, ShapeId shape, int side) {
+Picture report_picture(const Project& project, ShapeId shape, int side, const DrawShape& draw) {
   if (auto kept = project.thumbnail(shape, std::string(parts_thumbnail)); kept && kept->width > 0)
     return *kept;
+  if (draw)
+    if (Picture drawn = draw(shape); drawn.width > 0) return drawn;
   const std::optional<FitRecord> fit = project.fit(shape);
   std::optional<TemplateRecord> of;
   if (fit) of = project.find_template(fit->part_template);

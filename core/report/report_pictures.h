@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/io/project.h"
+#include "core/report/html_report.h"
 
 namespace archetype {
 
@@ -10,8 +11,8 @@ namespace archetype {
 Picture sample_picture(const ShapeSamples& samples, const PartTemplate* part_template, const ShapeFit* fit,
                        int side);
 
-// The thumbnail that the project keeps of the fitted shape, or else the picture of its samples. Throws
-// FileError.
-Picture report_picture(const Project& project, ShapeId shape, int side);
+// The thumbnail that the project keeps of the fitted shape, or else what `draw` draws, or else the picture of
+// its samples. Throws FileError.
+Picture report_picture(const Project& project, ShapeId shape, int side, const DrawShape& draw);
 
 }  // namespace archetype

@@ -46,7 +46,7 @@ std::string template_name(const ReportContent& content, TemplateId id) {
 std::string picture_of(ReportContent& content, ShapeId shape) {
   if (content.pictures >= most_pictures) return "";
   try {
-    const Picture picture = report_picture(content.project, shape, picture_side);
+    const Picture picture = report_picture(content.project, shape, picture_side, content.draw);
     ++content.pictures;
     return html_picture(picture, name_of(content, shape));
   } catch (const InputError&) {

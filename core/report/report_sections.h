@@ -8,6 +8,7 @@
 
 #include "core/base/job_control.h"
 #include "core/io/project.h"
+#include "core/report/html_report.h"
 #include "core/session/evaluate_labelling.h"
 #include "core/session/learn_templates.h"
 
@@ -22,6 +23,7 @@ struct ReportContent {
   std::vector<RefusedInput> refused;
   std::optional<LearningRecord> learning;
   const JobControl& control;
+  const DrawShape& draw;
   std::size_t pictures = 0;  // so far
 };
 

@@ -76,6 +76,7 @@ class Evaluation {
       result_.shapes.clear();
       return std::move(result_);
     }
+    if (result_.label_names.empty()) result_.label_names = read_numbered_names(label_folder_);
     std::vector<int> labels;
     for (const EvaluatedPart& part : result_.parts) labels.push_back(part.label);
     result_.report = measure_labelling(shapes_, labels);

@@ -19,7 +19,7 @@ struct EvaluatedPart {
 struct LabellingEvaluation {
   LabellingReport report;
   std::vector<ShapeId> shapes;             // of report.shapes
-  std::vector<std::string> label_names;    // of the true labels, where `_labels.txt` files name them
+  std::vector<std::string> label_names;    // of the true labels, where `_labels.txt` or names.txt has them
   std::vector<EvaluatedPart> parts;        // what the report's part indices mean
   std::vector<std::string> without_truth;  // names of shapes that have no label file
   std::vector<std::string>

@@ -56,23 +56,6 @@ Vec3 position(const Landmark& landmark) {
   return {landmark.position[0], landmark.position[1], landmark.position[2]};
 }
 
-// "0 nose" and so on, a line each; other files are not for us.
-std::vector<std::string> read_names(const std::filesystem::path& path) {
-  std::vector<std::string> names;
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return names;
-  const std::string content = read_file(path);
-  for (std::size_t at = 0; at < content.size();) {
-    const std::size_t end = std::min(content.find('\n', at), content.size());
-    const std::string line = content.substr(at, end - at);
-    at = end + 1;
-    const std::string number = std::to_string(names.size()) + ' ';
-    if (!line.starts_with(number)) return {};
-    names.push_back(line.substr(number.size()));
-  }
-  return names;
-}
-
 class Evaluation {
  public:
   Evaluation(const Project& project, const std::filesystem::path& folder, const JobControl& control)
@@ -80,7 +63,7 @@ class Evaluation {
     for (TemplateRecord& record : project.templates(false)) {
       templates_[record.id] = std::move(record.part_template);
     }
-    result_.landmark_names = read_names(folder / "names.txt");
+    result_.landmark_names = read_numbered_names(folder);
   }
 
   LandmarkEvaluation run(unsigned threads) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # What export writes, read by programs that are not ours: the point clouds by the Point Cloud Library, with the same
-# points, parts and colours; the labels by awk, one for each face of the file; the plots by libxml2. Exit status 77
-# without pcl_ply2pcd (Debian's pcl-tools).
+# points, parts and colours, and by CloudCompare where it is installed; the labels by awk, one for each face of the file;
+# the plots by libxml2. Exit status 77 without pcl_ply2pcd (Debian's pcl-tools).
 #
 # usage: foreign_readers.sh BATCH TEMPLATE
 set -eu
@@ -28,6 +28,16 @@ for cloud in result/coaligned/*.ply; do
   diff ours.txt theirs.txt > difference.txt || { echo "$name: read otherwise"; head -5 difference.txt; exit 1; }
   test "$(wc -l < theirs.txt)" = "$(awk '/^POINTS/ { print $2 }' cloud.pcd)"
   test "$(wc -l < theirs.txt)" -ge 900
+
+  if command -v CloudCompare >/dev/null; then
+    HOME=$folder QT_QPA_PLATFORM=offscreen CloudCompare -SILENT -O "$cloud" -NO_TIMESTAMP -C_EXPORT_FMT ASC -PREC 9 \
+      -SAVE_CLOUDS FILE compared.asc > log.txt 2>&1
+    awk 'data { print $1, $2, $3 } /^DATA ascii/ { data = 1 }' cloud.pcd |
+      paste -d ' ' - <(awk '{ print $3, $4, $5 }' ours.txt) compared.asc |
+      awk 'NF != 12 { exit 1 }
+           { for (k = 1; k <= 6; k++) { d = $k - $(k + 6); if (d > 1e-5 || d < -1e-5) exit 1 } }
+           END { if (NR < 900) exit 1 }' || { echo "$name: read otherwise by CloudCompare"; exit 1; }
+  fi
 
   # As many labels as the shape has faces, and those of the samples' parts nearly everywhere.
   test "$(wc -l < "result/labels/$name.seg")" = "$(awk 'NR == 2 { print $2 }' "chairs/shapes/$name.off")"

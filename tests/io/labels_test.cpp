@@ -24,6 +24,18 @@ TEST_CASE("labels: names and 1-based faces, numbered in order of appearance") {
                        doctest::Contains("line 8: expected face numbers from 1 to 5, found 6"), InputError);
 }
 
+TEST_CASE("names.txt names numbers from 0 on, or is another file") {
+  const ScratchFolder folder;
+  CHECK(read_numbered_names(folder.path()).empty());
+  folder.write("names.txt", "0 seat\r\n1 back rest\n2 leg");
+  CHECK(read_numbered_names(folder.path()) == std::vector<std::string>{"seat", "back rest", "leg"});
+  for (const char* other : {"", "seat\nback\n", "0 seat\n2 leg\n", "1 seat\n", "0\n"}) {
+    CAPTURE(other);
+    folder.write("names.txt", other);
+    CHECK(read_numbered_names(folder.path()).empty());
+  }
+}
+
 TEST_CASE("labels are found by the shape's name, .seg first, only inside the folder") {
   const ScratchFolder folder;
   folder.write("in/a.seg", "");

@@ -111,7 +111,9 @@ TEST_CASE("every plot is well-formed SVG and readable CSV, whatever its names") 
   const LabellingEvaluation labelling = made_labelling(hostile_name);
   const LandmarkEvaluation landmarks = made_landmarks(hostile_name);
   const std::vector<SubsetMeasure> subsets{{8, 1, 0.5, 0.25}, {16, 2, 0.75, 0.5}};
-  const PlotSources sources{&fits, &learning, &labelling, &landmarks, subsets, 0, 1};
+  std::vector<StartMeasure> starts(2);
+  for (StartMeasure& start : starts) start.initial.name = hostile_name;
+  const PlotSources sources{&fits, &learning, &labelling, &landmarks, subsets, starts, 0, 1};
   for (const PlotEntry& entry : plot_catalog()) {
     CAPTURE(std::string(entry.name));
     REQUIRE(has_what_it_needs(entry, sources));

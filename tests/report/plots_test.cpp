@@ -86,6 +86,46 @@ TEST_CASE("plots of learning have a point at the start and one per round") {
   CHECK(sizes.panels.at(1).series.at(0).y == std::vector<double>{1, 2});
 }
 
+TEST_CASE("learning by size shows the accuracy on other shapes first, where there was truth") {
+  const std::vector<SubsetMeasure> subsets{{8, 1, 0.5, 0.25, 5, {0.6, 0.7, 0.8}},
+                                           {16, 2, 0.75, 0.5, 5, {0.7, 0.8, std::nullopt}}};
+  PlotSources sources;
+  sources.subsets = subsets;
+  const Figure figure = figure_of("learning-sizes", sources);
+  REQUIRE(figure.panels.size() == 3);
+  const Plot& accuracy = figure.panels[0];
+  REQUIRE(accuracy.series.size() == 2);
+  CHECK(accuracy.note == "Of 5 shapes that no subset holds");
+  CHECK(accuracy.series[0].x == std::vector<double>{8});
+  CHECK(accuracy.series[0].y == std::vector<double>{0.8});
+  CHECK(accuracy.series[1].x == std::vector<double>{8, 16});
+  CHECK(accuracy.series[1].y == std::vector<double>{0.6, 0.7});
+}
+
+TEST_CASE("learning from several starts shows each of them before and after") {
+  std::vector<StartMeasure> starts(2);
+  starts[0].initial.name = std::string("from a");
+  starts[1].initial.name = std::string("from b");
+  starts[0].energy_before = 2;
+  starts[0].energy_after = 1;
+  starts[1].energy_before = 3;
+  starts[1].energy_after = 1.5;
+  PlotSources sources;
+  sources.starts = starts;
+  const Figure without_truth = figure_of("learning-starts", sources);
+  REQUIRE(without_truth.panels.size() == 1);
+  CHECK(without_truth.panels[0].categories == std::vector<std::string>{"from a", "from b"});
+  CHECK(without_truth.panels[0].series.at(0).y == std::vector<double>{2, 3});
+  CHECK(without_truth.panels[0].series.at(1).y == std::vector<double>{1, 1.5});
+  for (StartMeasure& start : starts) {
+    start.before.best_labelling = 0.5;
+    start.after.best_labelling = 0.9;
+  }
+  const Figure figure = figure_of("learning-starts", sources);
+  REQUIRE(figure.panels.size() == 2);
+  CHECK(figure.panels[0].series.at(1).y == std::vector<double>{0.9, 0.9});
+}
+
 TEST_CASE("plots of accuracy: by label, by part, and what was taken for what") {
   const LabellingEvaluation labelling = made_labelling();
   PlotSources sources;

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "core/base/hash.h"
 #include "core/session/fit_collection.h"
 #include "core/session/import_shapes.h"
 #include "tests/support/scratch_folder.h"
@@ -56,6 +57,52 @@ TEST_CASE("the table of fits holds what each fit says, in the order of the shape
     CHECK(share > 0.5);
   }
   CHECK(table->parts_of(table->rows[3])[0].share == 1);
+}
+
+TEST_CASE("a table read after another one is the same as one that is read anew") {
+  ScratchFolder folder;
+  Project project = Project::in_memory();
+  write_chairs(folder.path(), 5);
+  ImportOptions options;
+  options.points = 150;
+  import_shapes(project, {folder.path() / "shapes"}, options, {});
+  fit_collection(project, {chair_template()}, {}, 2, {});
+  const FitTable before = *read_fit_table(project, {});
+  const std::vector<ShapeId> shapes = project.shape_ids();
+  project.set_fit_status(shapes[0], FitStatus::outlier);
+  PartTemplate moved = chair_template();
+  moved.name = "moved";
+  moved.parts[0].position.mean.y() += 0.1;
+  TemplateRecord other;
+  other.part_template = moved;
+  FitRecord changed = *project.fit(shapes[1]);
+  changed.part_template = project.add_template(other);
+  changed.fit.parts[0].box.centre.y() += 0.1;
+  project.store_fit(changed);
+  FitRecord corrected = *project.fit(shapes[2]);
+  corrected.state = hash_content({});
+  corrected.fit.translation.x() += 0.5;
+  project.store_fit(corrected);
+
+  const FitTable anew = *read_fit_table(project, {});
+  const FitTable after = *read_fit_table(project, {}, &before);
+  REQUIRE(after.rows.size() == anew.rows.size());
+  REQUIRE(after.templates.size() == anew.templates.size());
+  CHECK(after.rows[0].summary.status == FitStatus::outlier);
+  CHECK(after.rows[2].translation == corrected.fit.translation);
+  for (std::size_t i = 0; i < anew.rows.size(); ++i) {
+    CAPTURE(i);
+    CHECK(after.rows[i].part_template == anew.rows[i].part_template);
+    CHECK(after.rows[i].translation == anew.rows[i].translation);
+    const auto parts = after.parts_of(after.rows[i]);
+    const auto expected = anew.parts_of(anew.rows[i]);
+    REQUIRE(parts.size() == expected.size());
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      CHECK(parts[p].present == expected[p].present);
+      CHECK(parts[p].share == expected[p].share);
+      CHECK(parts[p].box.centre == expected[p].box.centre);
+    }
+  }
 }
 
 TEST_CASE("reading the table of fits can be cancelled") {

@@ -5,6 +5,7 @@
 
 #include "core/session/ground_truth.h"
 #include "core/session/import_shapes.h"
+#include "core/session/measure_starts.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/small_collection.h"
 
@@ -35,13 +36,14 @@ TEST_CASE("subsets double up to the whole collection, or a thousand") {
 TEST_CASE("learning from subsets leaves the project alone; the numbers are kept") {
   const ScratchFolder folder;
   Project project = chairs(folder, 4);
-  const auto measures = measure_subsets(project, {chair_template()}, {2, 4}, 1, 2, {});
+  const auto measures = measure_subsets(project, {chair_template()}, {2, 4}, {}, 1, 2, {});
   REQUIRE(measures);
   REQUIRE(measures->size() == 2);
   CHECK((*measures)[0].shapes == 2);
   CHECK((*measures)[1].shapes == 4);
   CHECK((*measures)[1].templates >= 1);
   CHECK((*measures)[0].learning_seconds > 0);
+  CHECK((*measures)[1].judging == 0);
   CHECK(project.fits().empty());
   CHECK(project.templates().empty());
   CHECK(stored_subset_measures(project).empty());
@@ -54,7 +56,55 @@ TEST_CASE("learning from subsets leaves the project alone; the numbers are kept"
   stop.request_stop();
   JobControl control;
   control.stop = stop.get_token();
-  CHECK_FALSE(measure_subsets(project, {chair_template()}, {2}, 1, 1, control));
+  CHECK_FALSE(measure_subsets(project, {chair_template()}, {2}, {}, 1, 1, control));
+}
+
+TEST_CASE("with ground truth a quarter of the shapes is kept apart to judge what is learned") {
+  const ScratchFolder folder;
+  Project project = chairs(folder, least_shapes_to_judge);
+  const GroundTruthFolders truth{.labels = folder.path() / "labels", .landmarks = {}};
+  const auto measures = measure_subsets(project, {chair_template()}, {4, 8, 12}, truth, 1, 2, {});
+  REQUIRE(measures);
+  REQUIRE(measures->size() == 3);
+  CHECK(measures->back().shapes == least_shapes_to_judge - 3);
+  for (const SubsetMeasure& each : *measures) {
+    CHECK(each.judging == 3);
+    REQUIRE(each.accuracy.labelling);
+    CHECK(*each.accuracy.labelling > 0.5);
+    CHECK_FALSE(each.accuracy.correspondence);
+  }
+  store_subset_measures(project, *measures);
+  CHECK(stored_subset_measures(project) == *measures);
+  // As earlier versions stored them.
+  project.set_setting("report.subsets", "8 1 0.5 0.25\n16 2 0.75 0.5\n");
+  CHECK(stored_subset_measures(project) == std::vector<SubsetMeasure>{{8, 1, 0.5, 0.25}, {16, 2, 0.75, 0.5}});
+}
+
+TEST_CASE("learning from several starts ends with less energy than each began with, and is kept") {
+  const ScratchFolder folder;
+  Project project = chairs(folder, 4);
+  const GroundTruthFolders truth{.labels = folder.path() / "labels", .landmarks = {}};
+  PartTemplate off = chair_template();
+  off.name = "off";
+  for (TemplatePart& part : off.parts) part.position.mean.y() += 0.15;
+  const auto measures = measure_starts(project, {chair_template(), off}, truth, 1, 2, {});
+  REQUIRE(measures);
+  REQUIRE(measures->size() == 2);
+  for (const StartMeasure& each : *measures) {
+    CHECK(each.energy_after < each.energy_before);
+    CHECK_FALSE(each.learned.empty());
+    CHECK(each.after.best_labelling);
+  }
+  CHECK((*measures)[1].initial == off);
+  CHECK(project.fits().empty());
+  CHECK(project.templates().empty());
+  store_start_measures(project, *measures);
+  CHECK(stored_start_measures(project) == *measures);
+  for (const char* broken : {"{", "[{}]", "[{\"initial\": 3}]", "7"}) {
+    CAPTURE(broken);
+    project.set_setting("report.starts", broken);
+    CHECK(stored_start_measures(project).empty());
+  }
 }
 
 TEST_CASE("ground truth is found beside the shapes, and remembered where it was chosen") {

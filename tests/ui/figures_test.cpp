@@ -8,6 +8,7 @@
 #include "core/io/file.h"
 #include "core/session/fit_collection.h"
 #include "core/session/import_shapes.h"
+#include "core/session/measure_starts.h"
 #include "tests/support/small_collection.h"
 #include "tests/ui/test_window.h"
 #include "ui/figure.h"
@@ -58,13 +59,38 @@ FigureRequest request_of(TestWindow& window, int width, bool transparent) {
 TEST_CASE("Each figure is saved by its command, as wide as asked for") {
   TestWindow window(500, 400);
   show_fitted_chairs(window, 3);
-  for (const std::string name : {"figure-templates", "figure-clusters", "figure-coalignment", "figure-fit"}) {
+  for (const std::string name :
+       {"figure-templates", "figure-clusters", "figure-members", "figure-coalignment", "figure-fit"}) {
     CAPTURE(name);
     const auto file = window.scratch().path() / (name + ".png");
     REQUIRE(run_command(window.studio(), name, std::vector<std::string>{file.string(), "300"}));
     window.settle();
     CHECK(png_width(file) == 300);
   }
+}
+
+TEST_CASE("The window asks for the place of a figure, its width and whether it is transparent") {
+  TestWindow window;
+  show_fitted_chairs(window, 1);
+  Studio& studio = window.studio();
+  studio.settings.last_folder = window.scratch().path().string();
+  REQUIRE(run_command(studio, "figure-templates"));
+  window.settle();
+  CHECK(studio.ui.browser.typed == "templates.png");
+  const auto file = window.scratch().path() / "templates.png";
+  studio.ui.browser.figure_width = 10;
+  window.click("browser:open");
+  CHECK(studio.ui.browser.open);  // no figure is that narrow
+  studio.ui.browser.figure_width = 350;
+  window.click("browser:transparent");
+  CHECK(studio.ui.browser.transparent);
+  window.click("browser:open");
+  window.settle();
+  CHECK_FALSE(studio.ui.browser.open);
+  CHECK(png_width(file) == 350);
+  studio.ui.browser = {};
+  REQUIRE(run_command(studio, "figure-templates"));
+  CHECK(studio.ui.browser.figure_width == 2400);
 }
 
 TEST_CASE("A figure may be transparent, and is the same in each run") {
@@ -80,6 +106,40 @@ TEST_CASE("A figure may be transparent, and is the same in each run") {
   std::size_t drawn = 0;
   for (std::size_t i = 3; i < clear->pixels.size(); i += 4) drawn += clear->pixels[i] > 0;
   CHECK(drawn > clear->pixels.size() / 4 / 20);
+}
+
+TEST_CASE("The sheet of all members is as much higher as these need lines") {
+  TestWindow window(300, 200);
+  show_fitted_chairs(window, 18);
+  const FigureRequest request = request_of(window, 240, false);
+  const auto some = clusters_figure(request, {});
+  const auto all = members_figure(request, {});
+  REQUIRE(some);
+  REQUIRE(all);
+  const double line = (240 - 2 * 16 * 0.24) / 10;  // a tenth of the page without its margins
+  CHECK(all->height - some->height == doctest::Approx(line).epsilon(0.05));
+}
+
+TEST_CASE("Templates before and after learning are drawn once they were measured") {
+  TestWindow window(300, 200);
+  show_fitted_chairs(window, 2);
+  const FigureRequest request = request_of(window, 600, false);
+  CHECK_THROWS_AS(starts_figure(request, {}), Error);
+  CHECK_FALSE(run_command(window.studio(), "figure-starts", {}));
+  Project project = Project::open(request.project);
+  StartMeasure start;
+  start.initial = project.templates().front().part_template;
+  start.learned = {start.initial, start.initial};
+  start.after.best_labelling = 0.9;
+  store_start_measures(project, {start, start});
+  const auto two = starts_figure(request, {});
+  REQUIRE(two);
+  CHECK(two->width == 600);
+  start.learned.clear();
+  store_start_measures(project, {start, start});
+  const auto half = starts_figure(request, {});
+  REQUIRE(half);
+  CHECK_FALSE(*half == *two);
 }
 
 TEST_CASE("Sizes that no figure can have, and figures of nothing, are refused with the reason") {

@@ -9,6 +9,7 @@
 #include "tests/ui/test_window.h"
 #include "ui/cluster_card.h"
 #include "ui/clusters_view.h"
+#include "ui/picked_place.h"
 #include "ui/plot_selection.h"
 #include "ui/plot_sources.h"
 #include "ui/project_actions.h"
@@ -300,15 +301,22 @@ TEST_CASE("A place that is picked on one shape is marked on all of them") {
     way.take(window);
     REQUIRE(window.selection().place);
     CHECK(window.selection().place->on == window.selection().part);
-    for (const char* view : {"show-clusters", "show-map", "show-inspect"})
+    for (const char* view : {"show-shape", "show-clusters", "show-map", "show-inspect"})
       check_seen_in(window, view, [&] { window.selection().place.reset(); });
     window.run("show-clusters");
     const auto marked = std::ranges::count_if(studio.collection.rows(), [&](const ShapeRow& row) {
       return shown_thumbnail(studio, row).place.has_value();
     });
     CHECK(marked > 1);
+    const std::optional<PickedPlace> picked = window.selection().place;
     window.key("Escape");  // first the place, then the part
     CHECK_FALSE(window.selection().place);
     CHECK(window.selection().part);
+    window.selection().place = picked;
+    window.run("show-shape");
+    CHECK(picked_in_viewport(studio));
+    window.key("Escape");  // while boxes are edited both go
+    CHECK_FALSE(picked_in_viewport(studio));
+    CHECK_FALSE(studio.ui.part);
   }
 }

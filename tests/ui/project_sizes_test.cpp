@@ -129,9 +129,13 @@ bool clicked_enough(std::map<std::string, int>& clicks, const std::string& targe
 
 // Jobs over all shapes have tests of their own, and the other views their turn.
 bool left_alone(const std::string& target) {
-  static const std::set<std::string> names{"command:fit-all",       "command:learn",
-                                           "command:measure-sizes", "command:learn-automatically",
-                                           "command:suggest",       "command:suggest-templates",
+  static const std::set<std::string> names{"command:fit-all",
+                                           "command:learn",
+                                           "command:measure-sizes",
+                                           "command:measure-starts",
+                                           "command:learn-automatically",
+                                           "command:suggest",
+                                           "command:suggest-templates",
                                            "plots:known-folder"};
   return names.contains(target) || target.starts_with("command:show-") || target.starts_with("menu:");
 }
