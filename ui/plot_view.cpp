@@ -51,8 +51,8 @@ struct Painter {
     draw.AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0, line.width);
   }
   void operator()(const DrawnArea& area) const {
-    draw.AddRectFilled(at(area.low), at(area.high),
-                       colour_of(p, Ink::data, on_ground(studio, area.colour), area.opacity));
+    const Rgb colour = area.of_scale ? area.colour : on_ground(studio, area.colour);
+    draw.AddRectFilled(at(area.low), at(area.high), colour_of(p, Ink::data, colour, area.opacity));
   }
   void operator()(const DrawnSpot& spot) const {
     draw.AddCircleFilled(at(spot.at), spot.radius, colour_of(p, Ink::data, on_ground(studio, spot.colour)));

@@ -184,7 +184,7 @@ void draw_matrix_plot(const PlotCanvas& canvas, const PlotMatrix& matrix, const 
       const PlotPoint low{area.low.x + wide * static_cast<float>(c), top};
       const PlotPoint high{low.x + wide, top + row};
       if (!std::isfinite(value)) continue;
-      canvas.out.marks.emplace_back(DrawnArea{low, high, matrix_colour(value), 1});
+      canvas.out.marks.emplace_back(DrawnArea{low, high, matrix_colour(value), 1, true});
       canvas.out.values.push_back(
           {.low = low,
            .high = high,

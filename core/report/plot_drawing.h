@@ -30,6 +30,7 @@ struct DrawnArea {
   PlotPoint high;
   Rgb colour{};
   float opacity = 1;
+  bool of_scale = false;  // the colour stands for a number, and is the same on any ground
 };
 struct DrawnSpot {
   PlotPoint at;

@@ -60,6 +60,11 @@ TEST_CASE("a plot that cannot be made says what is missing, in one line") {
   for (const PlotEntry& entry : plot_catalog()) {
     CAPTURE(std::string(entry.name));
     const Finished run = run_archetype({"plot", fixture.project, "--plot", entry.name, "--out", fixture.out});
+    if (entry.need == PlotNeed::starts) {  // suggests its templates itself: shapes are all it needs
+      CHECK(run.exit_code == 0);
+      CHECK(std::filesystem::remove(fixture.out));
+      continue;
+    }
     CHECK(run.exit_code == 1);
     CHECK(run.err.starts_with("archetype: "));
     CHECK(std::ranges::count(run.err, '\n') == 1);
