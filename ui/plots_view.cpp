@@ -136,7 +136,7 @@ void draw_plots_view(Studio& studio) {
   const float scale = studio.fonts.scale;
   const std::shared_ptr<const Figure> figure = use_figure(studio);
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float list = std::clamp(room.x * 0.26f, 120 * scale, 260 * scale);
+  const float list = std::clamp(room.x * 0.36f, 120 * scale, 260 * scale);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12 * scale, 8 * scale});
   ImGui::BeginChild("##plot-list", {list, room.y}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
   draw_list(studio);
