@@ -26,7 +26,7 @@ class Cells {
       counts_[axis] = static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(most_cells)));
       per_unit_[static_cast<int>(axis)] = extent > 0 ? counts_[axis] / extent : 0;
     }
-    begins_.assign(static_cast<std::size_t>(counts_[0] * counts_[1] * counts_[2]) + 1, 0);
+    begins_.assign(index({counts_[0] - 1, counts_[1] - 1, counts_[2] - 1}) + 2, 0);
     for (const Vec3& p : points) ++begins_[index(cell_of(p)) + 1];
     for (std::size_t c = 1; c < begins_.size(); ++c) begins_[c] += begins_[c - 1];
     std::vector<std::uint32_t> next(begins_.begin(), begins_.end() - 1);
@@ -65,7 +65,8 @@ class Cells {
     return cell;
   }
   std::size_t index(const Cell& cell) const {
-    return static_cast<std::size_t>((cell[0] * counts_[1] + cell[1]) * counts_[2] + cell[2]);
+    const auto along = [](int number) { return static_cast<std::size_t>(number); };
+    return (along(cell[0]) * along(counts_[1]) + along(cell[1])) * along(counts_[2]) + along(cell[2]);
   }
 
   Vec3 lowest_;
