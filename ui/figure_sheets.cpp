@@ -79,8 +79,9 @@ bool draw_members(FigurePage& page, const Project& project, const std::vector<Fi
   const std::size_t room = grid.columns * grid.lines;
   const std::size_t drawn = members.size() <= room ? members.size() : room - 1;
   const auto place = [&](std::size_t i) {
+    const std::size_t line = i / grid.columns;
     return std::pair(grid.left + grid.cell * static_cast<double>(i % grid.columns),
-                     grid.top + grid.cell * static_cast<double>(i / grid.columns));
+                     grid.top + grid.cell * static_cast<double>(line));
   };
   for (std::size_t i = 0; i < drawn; ++i) {
     if (control.cancelled()) return false;

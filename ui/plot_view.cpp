@@ -75,7 +75,9 @@ struct Painter {
       if (piece % 2 == 0) draw.AddLine(at(a), at(b), colour, width);
       return;
     }
-    for (float from = 0; from < length; from += 10 * scale) {
+    const int dashes = static_cast<int>(std::ceil(length / (10 * scale)));
+    for (int i = 0; i < dashes; ++i) {
+      const float from = static_cast<float>(i) * 10 * scale;
       const float to = std::min(from + 6 * scale, length);
       const auto along = [&](float t) {
         return PlotPoint{a.x + (b.x - a.x) * t / length, a.y + (b.y - a.y) * t / length};
