@@ -9,10 +9,10 @@
 
 namespace archetype::gl {
 
-// An RGBA texture of 8 bits a channel, filtered linearly, clamped at its edges.
+// An RGBA texture of 8 bits a channel, clamped at its edges; filtered linearly if made from a picture.
 class Texture {
  public:
-  Texture(int width, int height);  // to draw into; content undefined; not smoothed when shown larger
+  Texture(int width, int height);            // to draw into; content undefined
   explicit Texture(const Picture& picture);  // the first row of the picture is the first of the texture
 
   int width() const { return width_; }

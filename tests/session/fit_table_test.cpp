@@ -11,13 +11,22 @@
 using namespace archetype;
 using namespace archetype::test;
 
-TEST_CASE("the table of fits holds what each fit says, in the order of the shapes") {
-  ScratchFolder folder;
+namespace {
+
+Project five_chairs(const ScratchFolder& folder) {
   Project project = Project::in_memory();
   write_chairs(folder.path(), 5);
   ImportOptions options;
   options.points = 150;
   import_shapes(project, {folder.path() / "shapes"}, options, {});
+  return project;
+}
+
+}  // namespace
+
+TEST_CASE("the table of fits holds what each fit says, in the order of the shapes") {
+  ScratchFolder folder;
+  Project project = five_chairs(folder);
   CHECK(read_fit_table(project, {})->rows.empty());
 
   fit_collection(project, {chair_template()}, {}, 2, {});
@@ -61,11 +70,7 @@ TEST_CASE("the table of fits holds what each fit says, in the order of the shape
 
 TEST_CASE("a table read after another one is the same as one that is read anew") {
   ScratchFolder folder;
-  Project project = Project::in_memory();
-  write_chairs(folder.path(), 5);
-  ImportOptions options;
-  options.points = 150;
-  import_shapes(project, {folder.path() / "shapes"}, options, {});
+  Project project = five_chairs(folder);
   fit_collection(project, {chair_template()}, {}, 2, {});
   const FitTable before = *read_fit_table(project, {});
   const std::vector<ShapeId> shapes = project.shape_ids();
