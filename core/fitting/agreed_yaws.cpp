@@ -21,6 +21,8 @@ constexpr int most_rounds = 50;
 
 // What a whole likeness is worth in energy. (Vases turn wrongly from about 35, stools below 13.)
 constexpr double vote_weight = 20;
+// A shape turns for a template that fits it clearly better, and not where its spout will do for a handle.
+constexpr double turning_cost = 0.1;
 // Energies differ by less.
 constexpr double hopeless = 2;
 
@@ -99,6 +101,12 @@ std::array<FacingPicture, 4> facing_pictures(const ShapeSamples& samples) {
     pictures[static_cast<std::size_t>(yaw)] = std::move(grid).picture();
   }
   return pictures;
+}
+
+void add_cost_of_turning(std::array<double, 4>& costs, std::optional<int> known) {
+  for (int yaw = 0; yaw < 4; ++yaw) {
+    if (known && yaw != *known) costs[static_cast<std::size_t>(yaw)] += turning_cost;
+  }
 }
 
 AgreedYaws::AgreedYaws(std::span<const ShapeSamples> references,

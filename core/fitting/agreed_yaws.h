@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,10 @@ namespace archetype {
 // and 0 for shapes that have nothing in common.
 using FacingPicture = std::vector<float>;
 std::array<FacingPicture, 4> facing_pictures(const ShapeSamples& samples);
+
+// Adds to the energies or costs of the yaws of a shape what the others cost where one is known; nothing
+// where none is.
+void add_cost_of_turning(std::array<double, 4>& costs, std::optional<int> known);
 
 // Goes beyond the paper, which takes the yaw of the least energy for each shape alone: a template of chairs
 // reaches a bench better from the side, and a desk lamp from anywhere. Here the references that look most

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/fitting/agreed_yaws.h"
 #include "core/fitting/pinned_labels.h"
@@ -31,19 +32,19 @@ class Round {
  public:
   Round(std::span<const LearnedTemplate> templates, std::span<const ShapeSamples> judging,
         std::span<const ShapeSamples> others, const FitOptions& fit_options, const LearnOptions& options,
-        unsigned threads, const JobControl& control, std::span<const ShapeCorrection* const> corrections)
+        unsigned threads, const JobControl& control, std::span<const ShapeCorrection* const> corrections,
+        std::span<const int> known_yaws)
       : judging_samples_(judging),
         judging_(judging.size()),
         fit_options_(fit_options),
         options_(options),
         threads_(threads),
         control_(control) {
-    for (const ShapeSamples& each : judging) shapes_.push_back({&each, fit_options.yaw_costs});
-    for (const ShapeSamples& each : others) shapes_.push_back({&each, fit_options.yaw_costs});
-    for (std::size_t i = 0; i < corrections.size(); ++i) {
-      shapes_[i].correction = corrections[i];
-      heed_yaw(shapes_[i]);
-    }
+    for (const ShapeSamples& each : judging) shapes_.push_back({&each});
+    for (const ShapeSamples& each : others) shapes_.push_back({&each});
+    for (std::size_t i = 0; i < corrections.size(); ++i) shapes_[i].correction = corrections[i];
+    result_.yaws.assign(known_yaws.begin(), known_yaws.end());
+    for (std::size_t i = 0; i < shapes_.size(); ++i) set_yaw_costs(i, fit_options.yaw_costs);
     counted_.stop = control.stop;
     counted_.report = [this](std::size_t, std::size_t, std::string_view) {
       const std::size_t fitted = ++fitted_;
@@ -74,8 +75,14 @@ class Round {
   }
 
  private:
-  static void heed_yaw(LearningShape& shape) {
-    if (shape.correction) shape.yaw_costs = pinned_yaw_costs(shape.yaw_costs, *shape.correction);
+  std::optional<int> known_yaw(std::size_t shape) const {
+    return shape < result_.yaws.size() ? std::optional(result_.yaws[shape]) : std::nullopt;
+  }
+  void set_yaw_costs(std::size_t shape, std::array<double, 4> costs) {
+    add_cost_of_turning(costs, known_yaw(shape));
+    if (const ShapeCorrection* correction = shapes_[shape].correction)
+      costs = pinned_yaw_costs(costs, *correction);
+    shapes_[shape].yaw_costs = costs;
   }
 
   // By template; empty where any may be taken.
@@ -114,14 +121,22 @@ class Round {
   bool fit_all() {
     if (!take_best(judging_)) return false;
     std::vector<std::array<double, 4>> energies;
-    for (const Taken& each : taken_) energies.push_back(each.seen.yaw_energies);
+    for (std::size_t i = 0; i < judging_; ++i) {
+      energies.push_back(taken_[i].seen.yaw_energies);
+      add_cost_of_turning(energies.back(), known_yaw(i));
+    }
     const AgreedYaws agreed(judging_samples_, energies);
-    return parallel_for(shapes_.size(), threads_, {control_.stop, {}}, "",
-                        [&](std::size_t i) {
-                          shapes_[i].yaw_costs = agreed.costs(*shapes_[i].samples);
-                          heed_yaw(shapes_[i]);
-                        }) &&
-           take_best(shapes_.size());
+    std::vector<std::array<double, 4>> votes(shapes_.size());
+    const auto ask = [&](std::size_t i) { votes[i] = agreed.costs(*shapes_[i].samples); };
+    if (!parallel_for(shapes_.size(), threads_, {control_.stop, {}}, "", ask)) return false;
+    for (std::size_t i = 0; i < shapes_.size(); ++i) set_yaw_costs(i, votes[i]);
+    if (!take_best(shapes_.size())) return false;
+    if (!result_.yaws.empty()) return true;
+    for (std::size_t i = 0; i < judging_; ++i) {
+      result_.yaws.push_back(taken_[i].seen.yaw_quarters);
+      set_yaw_costs(i, votes[i]);
+    }
+    return true;
   }
 
   // The best of all templates for each of the first `count` shapes. False if cancelled.
@@ -333,8 +348,12 @@ std::optional<LearningRound> learning_round(std::span<const LearnedTemplate> tem
                                             std::span<const ShapeSamples> others,
                                             const FitOptions& fit_options, const LearnOptions& options,
                                             unsigned threads, const JobControl& control,
-                                            std::span<const ShapeCorrection* const> corrections) {
-  return Round(templates, judging, others, fit_options, options, threads, control, corrections).run();
+                                            std::span<const ShapeCorrection* const> corrections,
+                                            std::span<const int> known_yaws) {
+  if (!known_yaws.empty() && known_yaws.size() != judging.size())
+    throw PreconditionError("judging shapes need a known yaw each");
+  return Round(templates, judging, others, fit_options, options, threads, control, corrections, known_yaws)
+      .run();
 }
 
 }  // namespace archetype

@@ -28,7 +28,8 @@ struct LearningRound {
   double energy_before = 0;  // mean choice energy over the judging shapes, with what the templates cost
   double energy = 0;         // afterwards
   std::vector<std::size_t>
-      taken;  // by judging shape, afterwards: the index of the template that fits it best
+      taken;              // by judging shape, afterwards: the index of the template that fits it best
+  std::vector<int> yaws;  // by judging shape: the known ones, or those that were agreed on in this round
 
   bool changed() const;
 };
@@ -42,6 +43,10 @@ struct LearningRound {
 // whatever the number of threads; about 3 fits per template and judging shape and one per other shape, and
 // those of the divisions, some 30 per shape. Differs from the paper, which keeps every round's templates: so
 // learning can leave a collection worse.
+// known_yaws: quarter turns of the judging shapes (LearningRound::yaws of the first round), or none at all.
+// They are held against others (add_cost_of_turning()). Differs from the paper: where a template of teapots has a
+// handle on one side and a spout on the other, the turned one does about as well, and whole clusters would
+// change what their parts mean.
 // corrections: what was corrected by hand, one per shape with the judging ones first, null where nothing was;
 // or none at all. Pinned yaws, templates and labels hold in all fits, and pinned yaws count when yaws are
 // decided; shapes pinned to a template stay with it when it is divided. Shapes marked to be learned from are
@@ -51,6 +56,7 @@ std::optional<LearningRound> learning_round(std::span<const LearnedTemplate> tem
                                             std::span<const ShapeSamples> others,
                                             const FitOptions& fit_options, const LearnOptions& options,
                                             unsigned threads, const JobControl& control,
-                                            std::span<const ShapeCorrection* const> corrections = {});
+                                            std::span<const ShapeCorrection* const> corrections = {},
+                                            std::span<const int> known_yaws = {});
 
 }  // namespace archetype

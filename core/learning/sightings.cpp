@@ -50,6 +50,7 @@ std::optional<std::vector<Sighting>> sightings(const PartTemplate& part_template
     seen.choice = choice_energy(*fit, part_template, options) +
                   shape_options.yaw_costs[static_cast<std::size_t>(fit->yaw_quarters)];
     seen.yaw_energies = fit->yaw_energies;
+    seen.yaw_quarters = fit->yaw_quarters;
     seen.energy = fit->energy.total();
     for (const Vec3& p : samples.points) seen.bounds.add(fit->to_template(p));
     seen.parts = observe_parts(*fit, samples);

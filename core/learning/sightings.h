@@ -29,6 +29,7 @@ struct Sighting {
   double choice = std::numeric_limits<double>::infinity();  // choice_energy(), and the cost of the yaw
   double energy = 0;                                        // the fit's own
   std::array<double, 4> yaw_energies{};                     // of the fit
+  int yaw_quarters = 0;                                     // of the fit
   Bounds bounds;                                            // of the samples, in the template's frame
   std::vector<PartObservation> parts;  // one per part of the template; the boxes are those of free_boxes()
 };

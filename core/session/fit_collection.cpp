@@ -15,6 +15,7 @@
 #include "core/fitting/template_choice.h"
 #include "core/session/commit_pace.h"
 #include "core/session/fit_state.h"
+#include "core/session/learned_yaws.h"
 #include "core/session/ordered_pipeline.h"
 #include "core/session/read_imported.h"
 #include "core/session/yaw_energies.h"
@@ -152,30 +153,49 @@ class FitRun {
     return std::nullopt;
   }
 
-  // From shapes spread over the whole collection, whatever is done already: a run that was stopped goes on
-  // with the same. False if cancelled.
+  static void add_spread(std::vector<ShapeId>& asked, const std::vector<ShapeId>& ids, std::size_t count) {
+    count = std::min(count, ids.size());
+    for (std::size_t i = 0; i < count; ++i) asked.push_back(ids[i * ids.size() / count]);
+  }
+
+  // Shapes whose yaws are known, and others spread over the whole collection, whatever is done already: a run
+  // that was stopped goes on with the same.
+  std::vector<ShapeId> voters() const {
+    std::vector<ShapeId> known;
+    std::vector<ShapeId> others;
+    for (const ShapeId id : project_.shape_ids()) (known_yaws_.contains(id) ? known : others).push_back(id);
+    std::vector<ShapeId> asked;
+    add_spread(asked, known, AgreedYaws::most_references);
+    add_spread(asked, others, AgreedYaws::most_references - asked.size());
+    return asked;
+  }
+
+  std::optional<int> known_yaw(ShapeId id) const {
+    const auto known = known_yaws_.find(id);
+    return known == known_yaws_.end() ? std::nullopt : std::optional(known->second);
+  }
+
+  // False if cancelled.
   bool agree_on_yaws(unsigned threads) {
     const auto need_not_ask = [this](ShapeId id) {
       const ShapeCorrection* correction = correction_of(id);
       return (correction && correction->yaw_quarters) || same_fit(id).has_value();
     };
     if (std::ranges::all_of(todo_, need_not_ask)) return true;
-    const std::vector<ShapeId> ids = project_.shape_ids();
-    const std::size_t count = std::min(ids.size(), AgreedYaws::most_references);
-    std::vector<ShapeId> asked;
+    known_yaws_ = learned_yaws(project_, template_ids_);
+    const std::vector<ShapeId> asked = voters();
     std::vector<ShapeSamples> references;
-    for (std::size_t i = 0; i < count && !control_.cancelled(); ++i) {
-      asked.push_back(ids[i * ids.size() / count]);
-      references.push_back(project_.samples(asked.back()));
-    }
+    for (std::size_t i = 0; i < asked.size() && !control_.cancelled(); ++i)
+      references.push_back(project_.samples(asked[i]));
     if (control_.cancelled()) return false;
     const ContentHash state = yaw_energies_state(project_, state_, asked);
-    std::optional<YawEnergies> energies = kept_yaw_energies(project_, state, count);
+    std::optional<YawEnergies> energies = kept_yaw_energies(project_, state, asked.size());
     if (!energies) {
       energies = find_yaw_energies(references, threads);
       if (!energies) return false;
       keep_yaw_energies(project_, state, *energies);
     }
+    for (std::size_t i = 0; i < asked.size(); ++i) add_cost_of_turning((*energies)[i], known_yaw(asked[i]));
     agreed_.emplace(references, *energies);
     return true;
   }
@@ -250,10 +270,12 @@ class FitRun {
 
   void find_best_fit(Work& work) const {
     FitOptions options = options_;
-    if (work.correction && work.correction->yaw_quarters)
+    if (work.correction && work.correction->yaw_quarters) {
       options.yaw_costs = pinned_yaw_costs({}, *work.correction);
-    else
+    } else {
       options.yaw_costs = agreed_->costs(work.samples);
+      add_cost_of_turning(options.yaw_costs, known_yaw(work.shape.id));
+    }
     std::optional<BestFit> best = best_fit(work.samples, options, &work);
     if (!best) return;
     work.fit = std::move(best->fit);
@@ -306,6 +328,7 @@ class FitRun {
   ContentHash state_;     // of shapes without corrections
   Corrections corrections_;
   std::vector<std::string> template_names_;
+  KnownYaws known_yaws_;              // of shapes that the templates were learned from
   std::optional<AgreedYaws> agreed_;  // unless every shape has a fit or a pinned yaw
   std::vector<TemplateId> template_ids_;
   std::vector<ShapeId> todo_;

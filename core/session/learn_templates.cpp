@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <span>
 
@@ -13,40 +12,12 @@
 #include "core/base/number_text.h"
 #include "core/base/random.h"
 #include "core/io/correction_text.h"
-#include "core/io/template_file.h"
 #include "core/learning/learning_round.h"
 #include "core/session/fit_state.h"
 #include "core/session/learning_corrections.h"
+#include "core/session/learning_state.h"
 
 namespace archetype {
-
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-// An outlier's energy is beyond this many times the bound of the learning set: the paper's 150 to 75.
-constexpr double outlier_factor = 2;
-
-struct State {
-  std::string request;   // what is learned from what, as a hash
-  bool settled = false;  // the last round kept nothing new
-  std::vector<LearningLine> lines;
-  std::vector<LearningStep> steps;
-  std::vector<ShapeId> judging;
-  std::vector<PartTemplate> start;  // what learning began with
-  std::vector<TemplateId> ids;
-  std::vector<LearnedTemplate> templates;
-
-  // The line of each current template.
-  std::vector<std::size_t> current_lines() const {
-    if (!steps.empty()) return steps.back().lines;
-    std::vector<std::size_t> first(start.size());
-    std::iota(first.begin(), first.end(), std::size_t{0});
-    return first;
-  }
-};
-
-}  // namespace
 
 ContentHash learn_request(const Project& project, const std::vector<PartTemplate>& initial,
                           const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed) {
@@ -71,109 +42,6 @@ ContentHash learn_request(const Project& project, const std::vector<PartTemplate
 
 namespace {
 
-void store_state(Project& project, const State& state) {
-  Json json{{"request", state.request}, {"settled", state.settled}, {"templates", state.ids}};
-  json["start"] = Json::array();
-  for (const PartTemplate& each : state.start) json["start"].push_back(format_template(each));
-  json["initial"] = Json::array();
-  for (const LearnedTemplate& each : state.templates)
-    json["initial"].push_back(format_template(each.initial));
-  json["undivided"] = Json::array();
-  for (const LearnedTemplate& each : state.templates) json["undivided"].push_back(each.undivided);
-  json["judging"] = state.judging;
-  json["lines"] = Json::array();
-  for (const LearningLine& line : state.lines) {
-    json["lines"].push_back({{"born", line.born}});
-    if (line.parent) json["lines"].back()["parent"] = *line.parent;
-  }
-  json["steps"] = Json::array();
-  for (const LearningStep& step : state.steps) {
-    json["steps"].push_back({{"iteration", step.iteration},
-                             {"energy_before", step.energy_before},
-                             {"energy", step.energy},
-                             {"templates", step.templates},
-                             {"lines", step.lines},
-                             {"taken", step.taken}});
-  }
-  project.set_setting(std::string(learn_state_setting), json.dump());
-}
-
-// Throws InputError for what is no count.
-std::size_t read_index(const Json& json) {
-  if (!json.is_number_unsigned()) throw InputError("learn.state", "", "expected an index");
-  return json.get<std::size_t>();
-}
-
-std::vector<std::size_t> read_indices(const Json& json) {
-  std::vector<std::size_t> indices;
-  for (const Json& each : json) indices.push_back(read_index(each));
-  return indices;
-}
-
-// Every index has what it stands for.
-bool is_sound(const State& state) {
-  if (state.start.empty() || state.start.size() > state.lines.size()) return false;
-  for (std::size_t i = 0; i < state.lines.size(); ++i) {
-    if (state.lines[i].parent.has_value() != (i >= state.start.size())) return false;
-    if (state.lines[i].parent && *state.lines[i].parent >= i) return false;
-  }
-  if (!std::ranges::all_of(state.templates, [](const LearnedTemplate& each) {
-        return std::ranges::is_sorted(each.undivided);
-      }))
-    return false;
-  for (const LearningStep& step : state.steps) {
-    const auto less_than = [](std::size_t count) { return [count](std::size_t i) { return i < count; }; };
-    if (step.templates.empty() || step.lines.size() != step.templates.size()) return false;
-    if (!std::ranges::all_of(step.lines, less_than(state.lines.size()))) return false;
-    if (step.taken.size() != state.judging.size()) return false;
-    if (!std::ranges::all_of(step.taken, less_than(step.templates.size()))) return false;
-  }
-  return state.steps.empty() ? state.ids.size() == state.start.size()
-                             : state.ids == state.steps.back().templates;
-}
-
-// Nothing if there is none, or what the file holds is not one: then learning starts over.
-std::optional<State> stored_state(const Project& project) {
-  const std::optional<std::string> text = project.setting(std::string(learn_state_setting));
-  if (!text) return std::nullopt;
-  try {
-    const Json json = Json::parse(*text);
-    State state;
-    state.request = json.at("request").get<std::string>();
-    state.settled = json.at("settled").get<bool>();
-    for (const Json& each : json.at("start"))
-      state.start.push_back(parse_template(each.get<std::string>(), "learn.state"));
-    state.ids = json.at("templates").get<std::vector<TemplateId>>();
-    for (std::size_t t = 0; t < state.ids.size(); ++t) {
-      std::optional<TemplateRecord> record = project.find_template(state.ids[t]);
-      if (!record) return std::nullopt;
-      PartTemplate initial = parse_template(json.at("initial").at(t).get<std::string>(), "learn.state");
-      if (initial.parts.size() != record->part_template.parts.size()) return std::nullopt;
-      std::vector<std::size_t> undivided;
-      if (json.contains("undivided")) undivided = read_indices(json.at("undivided").at(t));
-      state.templates.push_back({std::move(record->part_template), std::move(initial), std::move(undivided)});
-    }
-    state.judging = json.at("judging").get<std::vector<ShapeId>>();
-    for (const Json& line : json.at("lines")) {
-      LearningLine& read = state.lines.emplace_back();
-      read.born = static_cast<int>(read_index(line.at("born")));
-      if (line.contains("parent")) read.parent = read_index(line.at("parent"));
-    }
-    for (const Json& step : json.at("steps")) {
-      state.steps.push_back({static_cast<int>(read_index(step.at("iteration"))),
-                             step.at("energy_before").get<double>(), step.at("energy").get<double>(),
-                             step.at("templates").get<std::vector<TemplateId>>(),
-                             read_indices(step.at("lines")), read_indices(step.at("taken"))});
-    }
-    if (!is_sound(state)) return std::nullopt;
-    return state;
-  } catch (const nlohmann::json::exception&) {
-    return std::nullopt;
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-}
-
 // `count` of the shapes, in their order, which is that of their names: ids tell when a shape was imported.
 std::vector<ShapeId> draw(const std::vector<ShapeId>& shapes, std::size_t count, std::uint64_t seed) {
   std::vector<ShapeId> drawn;
@@ -197,6 +65,9 @@ bool load(const Project& project, const std::vector<ShapeId>& ids, const JobCont
   }
   return true;
 }
+
+// An outlier's energy is beyond this many times the bound of the learning set: the paper's 150 to 75.
+constexpr double outlier_factor = 2;
 
 class LearnRun {
  public:
@@ -236,7 +107,7 @@ class LearnRun {
     const std::string request = learn_request(project_, initial, fit_options_, options_, seed_).to_hex();
     const std::vector<ShapeId> judging = judging_shapes(shapes_, options_, seed_);
     if (!fresh) {
-      std::optional<State> stored = stored_state(project_);
+      std::optional<LearningState> stored = stored_learning_state(project_);
       if (stored && stored->request == request && stored->judging == judging) {
         state_ = std::move(*stored);
         return;
@@ -256,7 +127,7 @@ class LearnRun {
     state_.judging = judging;
     state_.lines.resize(initial.size());
     project_.set_current_templates(state_.ids);
-    store_state(project_, state_);
+    store_learning_state(project_, state_);
     transaction.commit();
   }
 
@@ -280,7 +151,7 @@ class LearnRun {
       std::vector<ShapeId> ids = state_.judging;
       ids.insert(ids.end(), other_ids.begin(), other_ids.end());
       const auto round = learning_round(state_.templates, judging, others, fit_options_, options_, threads_,
-                                        round_control(iteration), corrections_.of(ids));
+                                        round_control(iteration), corrections_.of(ids), state_.yaws);
       if (!round) return false;
       keep(*round, iteration);
     }
@@ -329,10 +200,11 @@ class LearnRun {
     }
     state_.ids = ids;
     state_.templates = round.templates;
+    state_.yaws = round.yaws;
     state_.settled = !round.changed();
     project_.set_current_templates(ids);
     state_.steps.push_back(std::move(step));
-    store_state(project_, state_);
+    store_learning_state(project_, state_);
     transaction.commit();
   }
 
@@ -368,14 +240,14 @@ class LearnRun {
   const JobControl& control_;
   const LearningCorrections corrections_;
   const std::vector<ShapeId> shapes_;  // that are learned from
-  State state_;
+  LearningState state_;
   LearnReport report_;
 };
 
 }  // namespace
 
 std::optional<LearningRecord> learning_record(const Project& project) {
-  std::optional<State> state = stored_state(project);
+  std::optional<LearningState> state = stored_learning_state(project);
   if (!state) return std::nullopt;
   std::set<TemplateId> ids;
   for (const LearningStep& step : state->steps) ids.insert(step.templates.begin(), step.templates.end());
@@ -400,7 +272,7 @@ std::vector<PartTemplate> learning_start(const Project& project) {
     ids.push_back(record.id);
     current.push_back(std::move(record.part_template));
   }
-  std::optional<State> stored = stored_state(project);
+  std::optional<LearningState> stored = stored_learning_state(project);
   if (stored && stored->ids == ids) return std::move(stored->start);
   return current;
 }
@@ -417,12 +289,14 @@ std::optional<double> energy_after_trial(const Project& project, const PartTempl
   std::vector<ShapeSamples> judging;
   if (!load(project, ids, control, judging)) return std::nullopt;
   std::vector<LearnedTemplate> templates{{start, start}};
+  std::vector<int> yaws;
   double energy = 0;
   for (int round = 0; round < rounds; ++round) {
-    auto learned =
-        learning_round(templates, judging, {}, fit_options, options, threads, control, corrections.of(ids));
+    auto learned = learning_round(templates, judging, {}, fit_options, options, threads, control,
+                                  corrections.of(ids), yaws);
     if (!learned) return std::nullopt;
     templates = std::move(learned->templates);
+    yaws = std::move(learned->yaws);
     energy = learned->energy;
     if (!learned->changed()) break;
   }

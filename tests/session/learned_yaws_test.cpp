@@ -1,0 +1,101 @@
+#include "core/session/learned_yaws.h"
+
+#include <doctest/doctest.h>
+
+#include "core/session/fit_collection.h"
+#include "core/session/import_shapes.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/support/small_collection.h"
+
+using namespace archetype;
+using namespace archetype::test;
+
+namespace {
+
+struct Chairs {
+  ScratchFolder folder;
+  Project project = Project::in_memory();
+
+  Chairs() {
+    write_chairs(folder.path(), 8);
+    import({});
+  }
+  void import(const ImportOptions& more) {
+    ImportOptions options = more;
+    options.points = 150;
+    import_shapes(project, {folder.path() / "shapes"}, options, {});
+  }
+  std::vector<int> fitted_yaws(const PartTemplate& part_template) {
+    fit_collection(project, {part_template}, {}, 2, {});
+    std::vector<int> yaws;
+    for (const FitSummary& fit : project.fits()) yaws.push_back(fit.yaw_quarters);
+    project.clear_fits();
+    return yaws;
+  }
+  std::vector<TemplateId> templates() const {
+    std::vector<TemplateId> ids;
+    for (const TemplateRecord& each : project.templates()) ids.push_back(each.id);
+    return ids;
+  }
+  void keep(const std::vector<int>& yaws) {
+    keep_learned_yaws(project, templates(), project.shape_ids(), yaws);
+  }
+};
+
+std::vector<int> turned_round(std::vector<int> yaws) {
+  for (int& yaw : yaws) yaw = (yaw + 2) % 4;
+  return yaws;
+}
+
+// It looks the same from the front and from behind.
+PartTemplate pole_template() {
+  PartTemplate pole;
+  pole.name = "pole";
+  pole.parts.resize(1);
+  pole.parts[0].name = "pole";
+  pole.parts[0].scale = {{0.6, 1, 0.6}, {0.1, 0.1, 0.1}};
+  return pole;
+}
+
+}  // namespace
+
+TEST_CASE("shapes stand as they did when learning began, unless the templates clearly say otherwise") {
+  Chairs chairs;
+  const std::vector<int> of_pole = chairs.fitted_yaws(pole_template());
+  chairs.keep(turned_round(of_pole));
+  CHECK(chairs.fitted_yaws(pole_template()) == turned_round(of_pole));
+  const std::vector<int> of_chair = chairs.fitted_yaws(chair_template());
+  chairs.keep(turned_round(of_chair));
+  CHECK(chairs.fitted_yaws(chair_template()) == of_chair);
+}
+
+TEST_CASE("known yaws are those of these templates, and of shapes as they were sampled then") {
+  Chairs chairs;
+  chairs.fitted_yaws(chair_template());
+  CHECK(learned_yaws(chairs.project, chairs.templates()).empty());
+  const std::vector<ShapeId> ids = chairs.project.shape_ids();
+  const std::vector<int> yaws{0, 1, 2, 3, 0, 1, 2, 3};
+  chairs.keep(yaws);
+  const KnownYaws known = learned_yaws(chairs.project, chairs.templates());
+  REQUIRE(known.size() == ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) CHECK(known.at(ids[i]) == yaws[i]);
+  CHECK(learned_yaws(chairs.project, {}).empty());
+  CHECK(learned_yaws(chairs.project, {chairs.templates()[0] + 1}).empty());
+  ImportOptions other;
+  other.seed = 7;
+  chairs.import(other);
+  CHECK(learned_yaws(chairs.project, chairs.templates()).empty());
+}
+
+TEST_CASE("damaged yaws are none") {
+  Chairs chairs;
+  chairs.fitted_yaws(chair_template());
+  const std::string id = std::to_string(chairs.templates()[0]);
+  for (const std::string& text :
+       {std::string(), std::string("{"), std::string("[]"), R"({"templates":[)" + id + "]}",
+        R"({"templates":[)" + id + R"(],"yaws":5})", R"({"templates":[)" + id + R"(],"yaws":[{"shape":1}]})",
+        R"({"templates":[)" + id + R"(],"yaws":[{"shape":1,"yaw":4294967297,"sampling":"x"}]})"}) {
+    chairs.project.set_setting("learn.yaws", text);
+    CHECK(learned_yaws(chairs.project, chairs.templates()).empty());
+  }
+}
