@@ -15,8 +15,8 @@ struct LearnOptions {
   std::size_t smallest_learning_set = 3;  // fewer teach a template nothing
   // What was known before any shape was seen counts as much as this many shapes. Differs from the paper,
   // which has no prior: parts that few shapes have shrink to what the first fits made of them.
-  double prior_shapes_of_means = 5;
-  double prior_shapes_of_spreads = 20;
+  double prior_shapes_of_means = 2;
+  double prior_shapes_of_spreads = 8;
   double smallest_spread_factor = 0.02;  // of the prior variances, see reestimate()
   double smallest_feature_spread = 0.25;
   // New parameters are taken if so many of the shapes fit better with them. Differs from the paper, which

@@ -71,6 +71,10 @@ class Round {
     drop_unused();
     result_.energy = mean_energy();
     for (std::size_t i = 0; i < judging_; ++i) result_.taken.push_back(taken_[i].part_template);
+    // A bench that a template of chairs reached from the side may have turned for one of its own.
+    if (result_.yaws.empty()) {
+      for (std::size_t i = 0; i < judging_; ++i) result_.yaws.push_back(taken_[i].seen.yaw_quarters);
+    }
     return std::move(result_);
   }
 
@@ -130,13 +134,7 @@ class Round {
     const auto ask = [&](std::size_t i) { votes[i] = agreed.costs(*shapes_[i].samples); };
     if (!parallel_for(shapes_.size(), threads_, {control_.stop, {}}, "", ask)) return false;
     for (std::size_t i = 0; i < shapes_.size(); ++i) set_yaw_costs(i, votes[i]);
-    if (!take_best(shapes_.size())) return false;
-    if (!result_.yaws.empty()) return true;
-    for (std::size_t i = 0; i < judging_; ++i) {
-      result_.yaws.push_back(taken_[i].seen.yaw_quarters);
-      set_yaw_costs(i, votes[i]);
-    }
-    return true;
+    return take_best(shapes_.size());
   }
 
   // The best of all templates for each of the first `count` shapes. False if cancelled.

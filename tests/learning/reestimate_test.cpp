@@ -31,12 +31,20 @@ std::vector<std::vector<PartObservation>> seen(std::size_t shapes, const Vec3& c
   return observed;
 }
 
+// What is known before counts as 5 shapes for means, and as 20 for spreads.
+LearnOptions of_known() {
+  LearnOptions options;
+  options.prior_shapes_of_means = 5;
+  options.prior_shapes_of_spreads = 20;
+  return options;
+}
+
 }  // namespace
 
 TEST_CASE("what many shapes say outweighs what was known before") {
   const PartTemplate initial = one_part();
-  const TemplatePart few = reestimate(initial, seen(5, {1, 0, 0}), {}).parts[0];
-  const TemplatePart many = reestimate(initial, seen(995, {1, 0, 0}), {}).parts[0];
+  const TemplatePart few = reestimate(initial, seen(5, {1, 0, 0}), of_known()).parts[0];
+  const TemplatePart many = reestimate(initial, seen(995, {1, 0, 0}), of_known()).parts[0];
   CHECK(few.position.mean.x() == doctest::Approx(0.5));  // as many shapes as the prior counts for
   CHECK(many.position.mean.x() == doctest::Approx(0.995));
   CHECK(many.scale.mean.y() == doctest::Approx(0.2 * 0.005 + 0.4 * 0.995));
@@ -52,7 +60,7 @@ TEST_CASE("what many shapes say outweighs what was known before") {
 TEST_CASE("the share of shapes that have a part becomes its existence") {
   std::vector<std::vector<PartObservation>> observed = seen(30, {0, 0, 0});
   for (auto& shape : seen(70, {0, 0, 0}, false)) observed.push_back(shape);
-  const TemplatePart part = reestimate(one_part(), observed, {}).parts[0];
+  const TemplatePart part = reestimate(one_part(), observed, of_known()).parts[0];
   CHECK(part.existence == doctest::Approx((30 + 2.5) / 105));
   const TemplatePart none = reestimate(one_part(), seen(10, {9, 9, 9}, false), {}).parts[0];
   CHECK(none.position.mean == one_part().parts[0].position.mean);
