@@ -76,21 +76,42 @@ void draw_place(Studio& studio, const CloudPane& pane) {
   draw_place_ring(*ImGui::GetWindowDrawList(), middle, studio.fonts.scale);
 }
 
+// On a ground of its own: the points reach behind it.
 void draw_caption(Studio& studio, const CloudPane& pane, const std::string& title, const std::string& text,
                   const std::string& more) {
   const float scale = studio.fonts.scale;
+  const Palette& p = colours(studio);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 low(pane.origin.x + 12 * scale, pane.origin.y + 10 * scale);
-  ImGui::PushFont(studio.fonts.bold);
-  draw.AddText(low, ImGui::GetColorU32(colours(studio).text),
-               fitted(title, pane.size.x - 24 * scale).c_str());
-  const float line = ImGui::GetTextLineHeight();
-  ImGui::PopFont();
   const float room = pane.size.x - 24 * scale;
-  float y = low.y + line + 2 * scale;
-  for (const std::string* each : {&text, &more}) {
-    draw.AddText({low.x, y}, ImGui::GetColorU32(colours(studio).muted), fitted(*each, room).c_str());
-    y += line;
+  struct Line {
+    ImFont* font;
+    std::string text;
+    ImU32 colour;
+  };
+  std::vector<Line> lines;
+  float wide = 0;
+  float high = 0;
+  const auto add = [&](ImFont* font, const std::string& line, const ImVec4& colour) {
+    if (line.empty()) return;
+    ImGui::PushFont(font);
+    lines.push_back({font, fitted(line, room), ImGui::GetColorU32(colour)});
+    wide = std::max(wide, ImGui::CalcTextSize(lines.back().text.c_str()).x);
+    high += ImGui::GetTextLineHeight() + 1 * scale;
+    ImGui::PopFont();
+  };
+  add(studio.fonts.bold, title, p.text);
+  add(ImGui::GetFont(), text, p.muted);
+  add(ImGui::GetFont(), more, p.muted);
+  draw.AddRectFilled({low.x - 6 * scale, low.y - 4 * scale},
+                     {low.x + wide + 6 * scale, low.y + high + 3 * scale},
+                     ImGui::GetColorU32(ImVec4(p.panel.x, p.panel.y, p.panel.z, 0.75F)), 4 * scale);
+  float y = low.y;
+  for (const Line& line : lines) {
+    ImGui::PushFont(line.font);
+    draw.AddText({low.x, y}, line.colour, line.text.c_str());
+    y += ImGui::GetTextLineHeight() + 1 * scale;
+    ImGui::PopFont();
   }
 }
 

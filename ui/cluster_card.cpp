@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/model/part_colours.h"
+#include "core/report/box_faces.h"
 #include "ui/clusters_view.h"
 #include "ui/icons.h"
 #include "ui/learning_actions.h"
@@ -35,6 +36,14 @@ std::string spread_text(const char* what, const Vec3& spread) {
   return text;
 }
 
+std::string legend_name(const TemplatePart& part, float scale) {
+  std::string name = fitted(part.name, 92 * scale);
+  if (!is_rare(part)) return name;
+  char share[16];
+  std::snprintf(share, sizeof share, " %.0f %%", 100 * part.existence);
+  return name + share;
+}
+
 // A swatch and a name; a click highlights the part on all shapes.
 void draw_part(Studio& studio, const TemplateRecord& record, std::size_t k,
                std::optional<std::size_t> highlighted) {
@@ -42,7 +51,7 @@ void draw_part(Studio& studio, const TemplateRecord& record, std::size_t k,
   const TemplatePart& part = record.part_template.parts[k];
   const float scale = studio.fonts.scale;
   const float line = ImGui::GetTextLineHeight();
-  const std::string name = fitted(part.name, 92 * scale);
+  const std::string name = legend_name(part, scale);
   const ImVec2 size(line * 0.8f + ImGui::CalcTextSize(name.c_str()).x + 6 * scale, line + 2 * scale);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   ImGui::PushID(static_cast<int>(k));
@@ -58,9 +67,11 @@ void draw_part(Studio& studio, const TemplateRecord& record, std::size_t k,
   draw.AddRectFilled({low.x, low.y + line * 0.25f}, {low.x + line * 0.6f, low.y + line * 0.85f},
                      IM_COL32(rgb[0], rgb[1], rgb[2], 255), 2 * scale);
   draw.AddText({low.x + line * 0.8f, low.y + scale},
-               ImGui::GetColorU32(highlighted && !chosen ? p.muted : p.text), name.c_str());
-  char share[48];
-  std::snprintf(share, sizeof share, "\nin %.0f %% of the shapes", 100 * part.existence);
+               ImGui::GetColorU32((highlighted || is_rare(part)) && !chosen ? p.muted : p.text),
+               name.c_str());
+  char share[64];
+  std::snprintf(share, sizeof share, "\nin %.0f %% of the shapes%s", 100 * part.existence,
+                is_rare(part) ? ", hence dashed" : "");
   const std::string text = part.name + share + spread_text("centre", part.position.stddev) +
                            spread_text("half size", part.scale.stddev) + "\nClick to see it on all shapes";
   tooltip(text.c_str());
@@ -76,7 +87,7 @@ void draw_legend(Studio& studio, const TemplateRecord& record, float right) {
   float x = left;
   for (std::size_t k = 0; k < std::min(parts.size(), most_parts); ++k) {
     const float width = ImGui::GetTextLineHeight() * 0.8f +
-                        ImGui::CalcTextSize(fitted(parts[k].name, 92 * studio.fonts.scale).c_str()).x +
+                        ImGui::CalcTextSize(legend_name(parts[k], studio.fonts.scale).c_str()).x +
                         6 * studio.fonts.scale;
     if (k > 0 && x + width <= right) ImGui::SameLine();
     if (k > 0 && x + width > right) x = left;

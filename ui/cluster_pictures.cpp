@@ -6,28 +6,24 @@
 #include "render/convert.h"
 #include "render/picking.h"
 #include "render/thumbnails.h"
+#include "ui/figure_scenes.h"
 #include "ui/part_highlight.h"
 #include "ui/studio.h"
-#include "ui/viewport_scene.h"
 #include "ui/widgets.h"
 
 namespace archetype {
 namespace {
 
 Scene make_scene(const TemplatePicture& wanted) {
-  ViewportContent content;
-  content.part_template = wanted.part_template.get();
-  content.view.ground = false;
-  content.view.spread = wanted.spread;
-  content.selected = wanted.highlighted;
-  content.backdrop = wanted.backdrop;
-  Scene scene = make_viewport_scene(content);
-  scene.hidden_lines = 0.1F;
   const bool one = wanted.highlighted.has_value();
+  Scene scene = template_scene(
+      *wanted.part_template,
+      {.spread = wanted.spread, .highlighted = wanted.highlighted, .backdrop = wanted.backdrop});
   for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
     SceneBox& box = scene.boxes[i];
+    if (box.dash > 0) continue;
     const bool dimmed = one && wanted.highlighted != i;
-    box.fill = dimmed ? 0.06F : wanted.spread ? 0.42F : 0.6F;
+    if (dimmed) box.fill = 0.06F;
     box.outline_width = dimmed ? 0.8F : 1.3F;
   }
   return scene;

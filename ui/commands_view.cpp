@@ -49,6 +49,12 @@ void transform_command(Studio& studio, Arguments) {
   begin_transform(studio, tool);
 }
 
+// The rows of clusters and the plots have no camera; a wish made there would wait for the next view.
+std::string needs_camera(const Studio& studio) {
+  const bool flat = studio.ui.centre == CentreView::clusters || studio.ui.centre == CentreView::plots;
+  return flat ? "go to a view with a camera first, like Shape" : "";
+}
+
 std::string needs_no_handle(const Studio& studio) {
   return studio.viewport.drag || (studio.history.has_preview() && !studio.ui.transform)
              ? "let go of what you drag first"
@@ -237,42 +243,50 @@ void add_view_commands(std::vector<Command>& commands) {
            .title = "From the front",
            .menu = "View",
            .key = "1",
-           .run = look<CameraView::front>},
+           .run = look<CameraView::front>,
+           .why_not = needs_camera},
           {.name = "view-back",
            .title = "From the back",
            .menu = "View",
            .key = "Ctrl+1",
-           .run = look<CameraView::back>},
+           .run = look<CameraView::back>,
+           .why_not = needs_camera},
           {.name = "view-right",
            .title = "From the right",
            .menu = "View",
            .key = "3",
-           .run = look<CameraView::right>},
+           .run = look<CameraView::right>,
+           .why_not = needs_camera},
           {.name = "view-left",
            .title = "From the left",
            .menu = "View",
            .key = "Ctrl+3",
-           .run = look<CameraView::left>},
+           .run = look<CameraView::left>,
+           .why_not = needs_camera},
           {.name = "view-top",
            .title = "From above",
            .menu = "View",
            .key = "7",
-           .run = look<CameraView::top>},
+           .run = look<CameraView::top>,
+           .why_not = needs_camera},
           {.name = "view-bottom",
            .title = "From below",
            .menu = "View",
            .key = "Ctrl+7",
-           .run = look<CameraView::bottom>},
+           .run = look<CameraView::bottom>,
+           .why_not = needs_camera},
           {.name = "view-home",
            .title = "Home",
            .menu = "View",
            .key = "Home",
-           .run = look<CameraView::home>},
+           .run = look<CameraView::home>,
+           .why_not = needs_camera},
           {.name = "frame",
            .title = "Frame the selection",
            .menu = "View",
            .key = "F",
-           .run = frame_selection},
+           .run = frame_selection,
+           .why_not = needs_camera},
           {.name = "tool-move",
            .title = "Move boxes",
            .menu = "Part",

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/io/read_shape.h"
+#include "core/report/box_faces.h"
 #include "render/convert.h"
 #include "render/thumbnails.h"
 #include "ui/viewport_scene.h"
@@ -32,6 +33,15 @@ void read_faces(const Project& project, FigureShape& shape) {
     shape.points = std::make_shared<const PointGeometry>(make_point_geometry(file.mesh, shape.record.frame));
   else
     shape.mesh = std::make_shared<const MeshGeometry>(make_mesh_geometry(file.mesh, shape.record.frame));
+}
+
+// Of the part, by the order in which make_viewport_scene() adds it.
+void forget_spread(Scene& scene, std::size_t part) {
+  constexpr std::ptrdiff_t lines_a_part = 6;
+  const auto at = static_cast<std::ptrdiff_t>(part);
+  scene.ellipsoids.erase(scene.ellipsoids.begin() + at);
+  const auto line = scene.lines.begin() + lines_a_part * at;
+  scene.lines.erase(line, line + lines_a_part);
 }
 
 }  // namespace
@@ -68,16 +78,24 @@ void add_shape(Scene& scene, const FigureShape& shape, bool coloured) {
     scene.points.push_back({.geometry = shape.points, .colours = colours, .transform = transform});
 }
 
-Scene template_scene(const PartTemplate& part_template, bool spread) {
+Scene template_scene(const PartTemplate& part_template, const TemplateDrawing& drawing) {
   ViewportContent content;
   content.part_template = &part_template;
   content.view.ground = false;
-  content.view.spread = spread;
-  content.backdrop = Backdrop::light;
+  content.view.spread = drawing.spread;
+  content.selected = drawing.highlighted;
+  content.backdrop = drawing.backdrop;
   Scene scene = make_viewport_scene(content);
-  // Solid enough to be seen on paper; what tells of the spread lies within.
   scene.hidden_lines = 0.1F;
-  for (SceneBox& box : scene.boxes) box.fill = spread ? 0.42F : 0.6F;
+  for (std::size_t i = part_template.parts.size(); i-- > 0;) {
+    SceneBox& box = scene.boxes[i];
+    box.fill = drawing.spread ? 0.42F : 0.6F;  // what tells of the spread lies within
+    if (drawing.highlighted == i || !is_rare(part_template.parts[i])) continue;
+    box.fill = 0;
+    box.outline_width = 1;
+    box.dash = 3;
+    if (drawing.spread) forget_spread(scene, i);
+  }
   return scene;
 }
 

@@ -25,8 +25,15 @@ std::optional<FigureShape> load_figure_shape(const Project& project, ShapeId id)
 
 // The shape as it stands in the frame of its template, in the colours of its parts or plain.
 void add_shape(Scene& scene, const FigureShape& shape, bool coloured);
-// `spread`: ellipsoids and dashed lines too.
-Scene template_scene(const PartTemplate& part_template, bool spread);
+
+struct TemplateDrawing {
+  bool spread = true;  // ellipsoids and dashed lines too
+  std::optional<std::size_t> highlighted = {};
+  Backdrop backdrop = Backdrop::light;
+};
+// The mean boxes, one a part, solid enough to be seen on paper. Parts that most shapes lack are dashed
+// outlines without their spread, unless they are highlighted.
+Scene template_scene(const PartTemplate& part_template, const TemplateDrawing& drawing = {});
 
 // From three quarters, so that the scene fills the picture.
 Camera figure_camera(const Scene& scene, const Viewport& viewport);

@@ -60,7 +60,7 @@ std::string about(const Cluster& cluster) {
 
 bool draw_template(FigurePage& page, const PartTemplate& part_template, bool spread, double left, double top,
                    double width, double height, const JobControl& control) {
-  const Scene scene = template_scene(part_template, spread);
+  const Scene scene = template_scene(part_template, {.spread = spread});
   return page.draw_scene(scene, figure_camera(scene, page.viewport(width, height)), left, top, width, height,
                          control);
 }
@@ -188,7 +188,7 @@ std::string result_text(double energy, const TruthShares& shares) {
   std::snprintf(line, sizeof line, "energy %.3f", energy);
   std::string result = line;
   if (!shares.best_labelling) return result;
-  std::snprintf(line, sizeof line, ", %.1f %% labelled right", 100 * *shares.best_labelling);
+  std::snprintf(line, sizeof line, ", %.1f %% right", 100 * *shares.best_labelling);
   return result + line;
 }
 
@@ -237,7 +237,9 @@ std::optional<Picture> starts_figure(const FigureRequest& request, const JobCont
         start.learned.size() > 1 ? "first of " + std::to_string(start.learned.size()) + ", " : "";
     return more + result_text(start.energy_after, start.after);
   };
-  if (!draw_row(margin, "Templates to begin with", before, line_before) ||
+  if (!draw_row(margin,
+                "Templates to begin with; mean energy of the fits, share of the surface labelled right",
+                before, line_before) ||
       !draw_row(margin + row + text + gap, "Learned from them", after, line_after))
     return std::nullopt;
   return page.picture();

@@ -293,8 +293,10 @@ std::optional<LearningChoice> draw_flow_chart(Studio& studio, const std::vector<
   if (coming) draw_coming(studio, chart, columns.size(), at.y);
   ImGui::SetCursorScreenPos(at);
   ImGui::Dummy({whole, chart.low.y + chart.height - at.y});
-  // Follows the newest round unless somebody has scrolled back.
-  if (ImGui::GetScrollX() >= ImGui::GetScrollMaxX() - chart.pitch * 1.1f)
+  // Begins at the newest round and follows it unless somebody has scrolled back.
+  if (ImGui::IsWindowAppearing())
+    ImGui::SetScrollX(whole);
+  else if (ImGui::GetScrollX() >= ImGui::GetScrollMaxX() - chart.pitch * 1.1f)
     ImGui::SetScrollX(ImGui::GetScrollMaxX());
   ImGui::EndChild();
   return clicked;

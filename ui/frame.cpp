@@ -183,7 +183,7 @@ void draw_frame(Studio& studio) {
 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * studio.fonts.scale, 5 * studio.fonts.scale});
   begin_area("##tools", layout.tools, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2 * studio.fonts.scale, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2 * studio.fonts.scale, 7 * studio.fonts.scale});
   centre_view(studio).tools(studio);
   ImGui::PopStyleVar();
   ImGui::End();

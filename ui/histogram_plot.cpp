@@ -92,9 +92,10 @@ Brushed draw_histogram(Studio& studio, const std::string& target, const PlottedH
   if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, least_drag * scale)) {
     const double a = axis.value(ImGui::GetIO().MouseClickedPos[0].x);
     const double b = axis.value(ImGui::GetIO().MousePos.x);
-    // The outmost bins hold what lies beyond: an end that touches the edge is open.
-    range = {std::min(a, b) <= axis.low ? -HUGE_VAL : std::min(a, b),
-             std::max(a, b) >= axis.high ? HUGE_VAL : std::max(a, b)};
+    // The outmost bins hold what lies beyond: an end that all but touches the edge is open.
+    const double reach = axis.value(low.x + 4 * scale) - axis.value(low.x);
+    range = {std::min(a, b) <= axis.low + reach ? -HUGE_VAL : std::min(a, b),
+             std::max(a, b) >= axis.high - reach ? HUGE_VAL : std::max(a, b)};
     return Brushed::changed;
   }
   if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) tell(plotted, axis);

@@ -18,15 +18,24 @@ namespace {
 struct Term {
   const char* name;
   const char* meaning;
+  // What shows it on the shape: a command with what it is to colour by, or a switch; none for the last.
+  const char* command = nullptr;
+  const char* colour = nullptr;
+  const char* click = "";
 };
 constexpr std::array<Term, 6> term_names{
-    Term{"Shape to template", "How far the samples lie from the boxes of their parts (equation 3)."},
-    Term{"Template to shape", "How much of the boxes has no shape near it (equation 4)."},
+    Term{"Shape to template", "How far the samples lie from the boxes of their parts (equation 3).",
+         "inspect-colour", "distance", "\nClick to colour the shape by it."},
+    Term{"Template to shape", "How much of the boxes has no shape near it (equation 4).",
+         "inspect-template-points", nullptr, "\nClick to see it at the points of the template."},
     Term{"Features",
          "How unlike the local shape is to what each part expects; samples without a part cost here "
-         "(equation 5)."},
-    Term{"Deformation", "How far the boxes had to leave their means (equation 6)."},
-    Term{"Smoothness", "Where neighbouring samples belong to different parts (equation 7)."},
+         "(equation 5).",
+         "inspect-colour", "features", "\nClick to colour the shape by it."},
+    Term{"Deformation", "How far the boxes had to leave their means (equation 6).", "inspect-mean-boxes",
+         nullptr, "\nClick to see their means."},
+    Term{"Smoothness", "Where neighbouring samples belong to different parts (equation 7).", "inspect-colour",
+         "smoothness", "\nClick to colour the shape by it."},
     Term{"Existence", "How unlikely it is that just these parts are there."}};
 
 // Of ascending values.
@@ -43,6 +52,22 @@ double share_below(const std::vector<double>& values, double value) {
          static_cast<double>(values.size());
 }
 
+bool is_on_shape(const Studio& studio, const Term& term) {
+  if (!term.command) return false;
+  if (term.colour) return studio.settings.inspect_colour == term.colour;
+  const Command* command = find_command(studio, term.command);
+  return command && command->checked(studio);
+}
+
+// A second click takes it from the shape.
+void switch_on_shape(Studio& studio, const Term& term) {
+  if (!term.command) return;
+  std::vector<std::string> arguments;
+  if (term.colour)
+    arguments.emplace_back(is_on_shape(studio, term) ? name_of(InspectColour::part) : term.colour);
+  run_command(studio, term.command, arguments);
+}
+
 // A bar for the value; behind it the tenth to the ninetieth percentile of the cluster as a band, its median
 // as a line. Without a cluster the bar's end is at `otherwise`.
 void draw_bar(Studio& studio, const Term& term, double value, const std::vector<double>* cluster,
@@ -50,8 +75,19 @@ void draw_bar(Studio& studio, const Term& term, double value, const std::vector<
   const Palette& p = colours(studio);
   const float scale = studio.fonts.scale;
   const bool known = cluster && cluster->size() > 1;
+  const bool on = is_on_shape(studio, term);
+  if (on) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight());
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {at.x - 4 * scale, at.y - 3 * scale}, {at.x + size.x + 4 * scale, at.y + size.y + 3 * scale},
+        ImGui::GetColorU32(ImVec4(p.accent.x, p.accent.y, p.accent.z, 0.35F)), 3 * scale);
+  }
   ImGui::BeginGroup();
-  muted_text(studio, term.name);
+  if (on)
+    ImGui::TextUnformatted(term.name);
+  else
+    muted_text(studio, term.name);
   ImGui::SameLine(132 * scale);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float text_width = ImGui::CalcTextSize("-0.0000").x;
@@ -80,15 +116,17 @@ void draw_bar(Studio& studio, const Term& term, double value, const std::vector<
   ImGui::SetCursorScreenPos({low.x + space + 8 * scale, low.y});
   ImGui::Text("%.4f", value);
   ImGui::EndGroup();
-  char text[320];
+  if (ImGui::IsItemClicked()) switch_on_shape(studio, term);
+  mark_target(studio, "inspect:term:" + std::string(term.name));
+  char text[400];
   if (known)
     std::snprintf(text, sizeof text,
                   "%s\n%zu shapes of the cluster: median %.4f, tenth to ninetieth percentile %.4f to "
-                  "%.4f; %.0f %% of them have less.",
+                  "%.4f; %.0f %% of them have less.%s",
                   term.meaning, cluster->size(), at_share(*cluster, 0.5), at_share(*cluster, 0.1),
-                  at_share(*cluster, 0.9), 100 * share_below(*cluster, value));
+                  at_share(*cluster, 0.9), 100 * share_below(*cluster, value), term.click);
   else
-    std::snprintf(text, sizeof text, "%s", term.meaning);
+    std::snprintf(text, sizeof text, "%s%s", term.meaning, term.click);
   tooltip(text);
 }
 

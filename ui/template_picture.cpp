@@ -34,6 +34,11 @@ void draw_faces(ImDrawList& draw, const std::vector<BoxFace>& faces, const Place
     // Dear ImGui smooths the rims of what goes clockwise only.
     const float turn = (at[2].x - at[0].x) * (at[3].y - at[1].y) - (at[2].y - at[0].y) * (at[3].x - at[1].x);
     if (turn < 0) std::ranges::reverse(at);
+    if (face.rare) {
+      draw.AddQuad(at[0], at[1], at[2], at[3],
+                   IM_COL32(face.colour[0], face.colour[1], face.colour[2], opacity / 2));
+      continue;
+    }
     draw.AddQuadFilled(at[0], at[1], at[2], at[3],
                        IM_COL32(face.colour[0], face.colour[1], face.colour[2], opacity));
     draw.AddQuad(at[0], at[1], at[2], at[3], IM_COL32(0, 0, 0, 90));

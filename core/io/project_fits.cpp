@@ -183,7 +183,7 @@ std::vector<FitSummary> Project::fits() const {
 void Project::clear_fits() {
   WriteScope scope(*connection_->database);
   connection_->database->execute("DELETE FROM fits");
-  Statement(*connection_->database, "DELETE FROM thumbnails WHERE kind = ?").bind(parts_thumbnail).run();
+  Statement(*connection_->database, "DELETE FROM thumbnails WHERE kind LIKE ?").bind(fit_thumbnails).run();
   scope.commit();
 }
 

@@ -170,6 +170,16 @@ void Project::store_thumbnail(ShapeId id, const std::string& kind, const Thumbna
       .bind(thumbnail.height)
       .bind(compressed.size() < pixels.size() ? BlobView(compressed) : pixels)
       .run();
+  // Earlier versions drew pictures of fits otherwise and called them otherwise; nobody asks for those any
+  // more.
+  if (kind == parts_thumbnail || kind == part_mask_thumbnail)
+    Statement(*connection_->database,
+              "DELETE FROM thumbnails WHERE shape = ? AND kind LIKE ? AND kind NOT IN (?, ?)")
+        .bind(id)
+        .bind(fit_thumbnails)
+        .bind(parts_thumbnail)
+        .bind(part_mask_thumbnail)
+        .run();
   scope.commit();
 }
 

@@ -14,17 +14,22 @@ Rgb darker(const Rgb& colour, double share) {
   return result;
 }
 
+bool is_rare(const TemplatePart& part) {
+  return !part.must_exist && part.existence < 0.5;
+}
+
 std::vector<ColouredBox> coloured_boxes(const PartTemplate& part_template) {
   std::vector<ColouredBox> boxes;
   for (std::size_t k = 0; k < part_template.parts.size(); ++k)
-    boxes.push_back({part_template.parts[k].mean_box(), part_colour(part_template, static_cast<int>(k))});
+    boxes.push_back({part_template.parts[k].mean_box(), part_colour(part_template, static_cast<int>(k)),
+                     is_rare(part_template.parts[k])});
   return boxes;
 }
 
 std::vector<BoxFace> visible_faces(std::span<const ColouredBox> boxes) {
   const Mat3 view = picture_view();
   std::vector<BoxFace> faces;
-  for (const auto& [box, colour] : boxes) {
+  for (const auto& [box, colour, rare] : boxes) {
     for (int axis = 0; axis < 3; ++axis) {
       const Vec3 normal = view * (box.orientation * Vec3::Unit(axis));
       const double side = normal.z() > 0 ? 1 : -1;
@@ -38,6 +43,7 @@ std::vector<BoxFace> visible_faces(std::span<const ColouredBox> boxes) {
         face.depth += at.z() / 4;
       }
       face.colour = darker(colour, 0.6 + 0.4 * std::max(0.0, side * normal.dot(Vec3(0.2, 0.8, 0.55))));
+      face.rare = rare;
       faces.push_back(face);
     }
   }

@@ -14,15 +14,21 @@ namespace archetype {
 // From the front, right and above, as the window shows shapes first: x to the right, y up, z to the viewer.
 Mat3 picture_view();
 
+// Whether most of the template's shapes lack the part. Pictures of the template then show where it would be,
+// by a dashed outline.
+bool is_rare(const TemplatePart& part);
+
 struct ColouredBox {
   Box box;
   Rgb colour{};
+  bool rare = false;
 };
 
 struct BoxFace {
   double depth = 0;             // of its middle
   std::array<Vec3, 4> corners;  // as picture_view() has them
   Rgb colour{};                 // that of its box, in the light from above
+  bool rare = false;
 };
 
 // Those that look at the viewer, the farthest first: so drawn, nearer ones cover them.

@@ -81,7 +81,7 @@ void draw_bar(const PlotCanvas& canvas, const Plot& plot, std::size_t number, st
                                .point = i,
                                .bar = DrawnBar{bar.low, bar.high, false}});
   const float line = canvas.space.line;
-  if (bar.height() < 0.75f * line) return;
+  if (bar.height() < 0.82f * line) return;  // it would reach into the bar below
   const float top = (bar.low.y + bar.high.y - line) / 2;
   const float wide = canvas.width(value) + 0.4f * line;
   if (bar.high.x + wide <= free_to)

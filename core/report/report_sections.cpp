@@ -20,11 +20,17 @@ namespace {
 constexpr std::size_t most_members = 24;    // that a cluster shows
 constexpr std::size_t most_pictures = 400;  // of the page
 constexpr std::size_t most_worst = 20;
+constexpr std::size_t least_worst = 5;
 constexpr std::size_t most_listed = 200;
 constexpr int picture_side = 160;
 
 std::string count_of(std::size_t count, const std::string& thing) {
   return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
+}
+
+// A quarter of the shapes: the list of the worst is to point somewhere.
+std::size_t worst_of(std::size_t shapes) {
+  return std::min(shapes, std::clamp(shapes / 4, least_worst, most_worst));
 }
 
 std::string name_of(const ReportContent& content, ShapeId id) {
@@ -109,8 +115,8 @@ std::string templates_section(const ReportContent& content) {
   if (content.templates.empty()) return section + html_paragraph("There is no template yet.");
   section +=
       "<p class=\"muted\">Mean boxes; an ellipse for one standard deviation of the position, dashed lines "
-      "for "
-      "that of the size. Lengths in mean distances of a shape's points from its centre.</p>\n";
+      "for that of the size; dashed boxes are parts that most of the shapes lack. Lengths in mean distances "
+      "of a shape's points from its centre.</p>\n";
   for (const TemplateRecord& record : content.templates) {
     const PartTemplate& part_template = record.part_template;
     const auto members = std::ranges::count(content.fits, record.id, &FitSummary::part_template);
@@ -163,7 +169,7 @@ std::string worst_fits_section(ReportContent& content) {
   std::vector<FitSummary> fits = content.fits;
   std::ranges::stable_sort(fits, std::greater<>(), energy_of);
   std::vector<std::vector<HtmlCell>> rows;
-  for (std::size_t i = 0; i < fits.size() && i < most_worst && !content.control.cancelled(); ++i) {
+  for (std::size_t i = 0; i < worst_of(fits.size()) && !content.control.cancelled(); ++i) {
     const FitEnergy& energy = fits[i].energy;
     rows.push_back({picture_of(content, fits[i].shape), xml_text(name_of(content, fits[i].shape)),
                     xml_text(template_name(content, fits[i].part_template)),
@@ -196,7 +202,7 @@ std::string accuracy_section(const LabellingEvaluation& evaluation) {
   std::vector<ShapeAccuracy> shapes = report.shapes;
   std::ranges::stable_sort(shapes, {}, [](const ShapeAccuracy& s) { return s.own.by_area; });
   std::vector<std::vector<HtmlCell>> rows;
-  for (std::size_t i = 0; i < shapes.size() && i < most_worst; ++i)
+  for (std::size_t i = 0; i < worst_of(shapes.size()); ++i)
     rows.push_back(row(xml_text(shapes[i].name), shapes[i]));
   PlotSources sources;
   sources.labelling = &evaluation;

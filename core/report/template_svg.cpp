@@ -90,10 +90,16 @@ std::string template_svg(const PartTemplate& part_template, int side) {
     svg += "<polygon points=\"";
     for (const Vec3& corner : face.corners)
       svg += number(place.x(corner)) + ',' + number(place.y(corner)) + ' ';
-    svg += "\" fill=\"" + hex(face.colour) + "\" fill-opacity=\"0.45\" stroke=\"" +
-           hex(darker(face.colour, 0.75)) + "\" stroke-width=\"1.2\" stroke-linejoin=\"round\"/>\n";
+    const std::string stroke =
+        "\" stroke=\"" + hex(darker(face.colour, 0.75)) + "\" stroke-linejoin=\"round\"";
+    if (face.rare)
+      svg += "\" fill=\"none" + stroke + " stroke-width=\"0.8\" stroke-dasharray=\"2 3\"/>\n";
+    else
+      svg +=
+          "\" fill=\"" + hex(face.colour) + "\" fill-opacity=\"0.45" + stroke + " stroke-width=\"1.2\"/>\n";
   }
   for (std::size_t i = 0; i < part_template.parts.size(); ++i) {
+    if (is_rare(part_template.parts[i])) continue;
     const Rgb colour = part_colour(part_template, static_cast<int>(i));
     svg += spread_ellipse(part_template.parts[i], colour, place);
     svg += spread_lines(part_template.parts[i], colour, place);

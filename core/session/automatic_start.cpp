@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "core/base/error.h"
 #include "core/io/template_file.h"
@@ -65,13 +66,15 @@ std::optional<PartTemplate> automatic_start(Project& project, const FitOptions& 
     store_state(project, *state);
   }
   const std::size_t count = state->candidates.size();
-  const JobControl trial_control{control.stop, [&](std::size_t, std::size_t, std::string_view) {
-                                   control.progress(state->energies.size(), count,
-                                                    "trying what can be learned from each suggestion");
-                                 }};
   while (state->energies.size() < count) {
-    const auto energy = energy_after_trial(project, state->candidates[state->energies.size()], fit_options,
-                                           options, seed, threads, trial_control);
+    const std::size_t tried = state->energies.size();
+    const std::string which = "trying suggestion " + std::to_string(tried + 1) + " of " +
+                              std::to_string(count) + ", shapes fitted:";
+    const JobControl of_trial{control.stop, [&](std::size_t done, std::size_t total, std::string_view) {
+                                control.progress(done, total, which);
+                              }};
+    const auto energy =
+        energy_after_trial(project, state->candidates[tried], fit_options, options, seed, threads, of_trial);
     if (!energy) return std::nullopt;
     state->energies.push_back(*energy);
     store_state(project, *state);

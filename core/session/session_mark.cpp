@@ -98,7 +98,7 @@ std::optional<std::pair<FileTime, LostSession>> read_lost(const fs::path& lock) 
     forget_session(lost);
     return std::nullopt;
   }
-  FileTime newest{};
+  FileTime newest = FileTime::min();  // FileTime{} may lie in the future: its epoch is the library's choice
   std::vector<fs::path> signs = lost.files;
   if (!lost.record.project.empty()) {
     signs.push_back(lost.record.project);
@@ -109,7 +109,7 @@ std::optional<std::pair<FileTime, LostSession>> read_lost(const fs::path& lock) 
     const FileTime time = fs::last_write_time(sign, missing);
     if (!missing) newest = std::max(newest, time);
   }
-  lost.when = local_time(newest);
+  if (newest != FileTime::min()) lost.when = local_time(newest);
   return std::pair{newest, std::move(lost)};
 }
 

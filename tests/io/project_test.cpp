@@ -119,6 +119,31 @@ TEST_CASE("a shape that is read again keeps its id and loses what came from its 
   CHECK(project.fits().size() == 1);
 }
 
+TEST_CASE(
+    "pictures of a fit go with it, and those that an earlier version drew go when they are drawn anew") {
+  Project project = Project::in_memory();
+  fill_project(project);
+  const ShapeId a = project.find_shape("a")->id;
+  const ShapeId b = project.find_shape("b")->id;
+  const std::string parts(parts_thumbnail);
+  const std::string mask(part_mask_thumbnail);
+  const Thumbnail picture{1, 1, {1, 2, 3, 4}};
+  for (const ShapeId id : {a, b})
+    for (const char* old : {"parts posed", "parts mask"}) project.store_thumbnail(id, old, picture);
+  project.store_thumbnail(a, mask, picture);
+  project.store_thumbnail(a, parts, picture);
+  CHECK_FALSE(project.thumbnail(a, "parts posed"));
+  CHECK_FALSE(project.thumbnail(a, "parts mask"));
+  CHECK(project.thumbnail(a, parts));
+  CHECK(project.thumbnail(a, mask));
+  CHECK(project.thumbnail(a, "surface"));
+  CHECK(project.thumbnail(b, "parts posed"));
+  project.clear_fits();
+  for (const std::string& kind : {parts, mask}) CHECK_FALSE(project.thumbnail(a, kind));
+  CHECK_FALSE(project.thumbnail(b, "parts posed"));
+  CHECK(project.thumbnail(b, "surface"));
+}
+
 TEST_CASE("a new fit takes the labels of the old one away") {
   Project project = Project::in_memory();
   fill_project(project);

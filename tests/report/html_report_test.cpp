@@ -200,6 +200,25 @@ TEST_CASE("samples are drawn in the colours of their parts without OpenGL") {
   CHECK(sample_picture({}, nullptr, nullptr, 8).pixels == std::vector<std::uint8_t>(256, 0));
 }
 
+TEST_CASE("a part that most shapes lack is a dashed outline in the picture of the template") {
+  PartTemplate part_template = chair_template();
+  const auto count = [&](const std::string& text) {
+    const std::string svg = template_svg(part_template, 100);
+    std::size_t found = 0;
+    for (std::size_t at = svg.find(text); at != std::string::npos; at = svg.find(text, at + 1)) ++found;
+    return found;
+  };
+  REQUIRE(count("fill=\"none\"") == 0);
+  const std::size_t spreads = count("<ellipse");
+  TemplatePart& back = part_template.parts[1];
+  back.must_exist = false;
+  back.existence = 0.2;
+  CHECK(count("fill=\"none\"") == 3);  // of its faces that look at the viewer
+  CHECK(count("<ellipse") == spreads - 1);
+  back.must_exist = true;
+  CHECK(count("fill=\"none\"") == 0);
+}
+
 TEST_CASE("a template with numbers from outside is still a picture") {
   PartTemplate part_template;
   part_template.parts.resize(2);

@@ -5,7 +5,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <ctime>
 
 #include "core/io/file.h"
 #include "core/session/document_text.h"
@@ -72,6 +75,29 @@ TEST_CASE("A session that was killed says what was open, until it is forgotten")
   CHECK(lost_sessions(folder).size() == 2);
   for (const LostSession& each : lost) forget_session(each);
   CHECK(fs::is_empty(folder));
+}
+
+TEST_CASE("Lost sessions come newest first, with the time of their last sign") {
+  const ScratchFolder scratch;
+  const fs::path folder = scratch.path() / "sessions";
+  for (int i = 0; i < 3; ++i) leave_killed(folder, {}, format_document(one_template()));
+  using Days = std::chrono::duration<int, std::ratio<86400>>;
+  std::vector<LostSession> lost = lost_sessions(folder);
+  REQUIRE(lost.size() == 3);
+  for (int i = 0; i < 3; ++i)
+    for (const fs::path& file : lost[static_cast<std::size_t>(i)].files)
+      if (fs::exists(file))
+        fs::last_write_time(file, fs::file_time_type::clock::now() - Days(400 * ((i + 1) % 3)));
+  const std::vector<fs::path> newest = lost[2].files;
+  lost = lost_sessions(folder);
+  CHECK(lost[0].files == newest);
+  CHECK(lost[0].when > lost[1].when);
+  CHECK(lost[1].when > lost[2].when);
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  REQUIRE(::localtime_r(&now, &parts));
+  const int year = 1900 + parts.tm_year;
+  CHECK(std::abs(std::stoi(lost[0].when.substr(0, 4)) - year) <= 1);
 }
 
 TEST_CASE("What a killed session left that leads nowhere, or is broken, is taken away") {

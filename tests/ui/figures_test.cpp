@@ -12,6 +12,7 @@
 #include "tests/support/small_collection.h"
 #include "tests/ui/test_window.h"
 #include "ui/figure.h"
+#include "ui/figure_scenes.h"
 #include "ui/project_actions.h"
 
 using namespace archetype;
@@ -55,6 +56,30 @@ FigureRequest request_of(TestWindow& window, int width, bool transparent) {
 }
 
 }  // namespace
+
+TEST_CASE(
+    "A part that most shapes lack is a dashed outline in pictures of its template, unless it is chosen") {
+  PartTemplate parts;
+  parts.parts.resize(3);
+  for (std::size_t i = 0; i < 3; ++i) parts.parts[i].position.mean = Vec3(3.0 * static_cast<double>(i), 0, 0);
+  CHECK(template_scene(parts).boxes[1].dash == 0);
+  parts.parts[1].existence = 0.2;
+  const Scene scene = template_scene(parts);
+  CHECK(scene.boxes[1].dash > 0);
+  CHECK(scene.boxes[1].fill == 0);
+  for (const std::size_t other : {0U, 2U}) CHECK(scene.boxes[other].dash == 0);
+  // Its spread has gone, and no other.
+  REQUIRE(scene.ellipsoids.size() == 2);
+  CHECK(scene.ellipsoids[1].axes.centre == parts.parts[2].position.mean);
+  REQUIRE(scene.lines.size() == 12);
+  for (std::size_t i = 6; i < 12; ++i) CHECK(scene.lines[i].to.x > 5);
+  CHECK(template_scene(parts, {.spread = false}).boxes[1].dash > 0);
+  const Scene chosen = template_scene(parts, {.highlighted = 1});
+  CHECK(chosen.boxes[1].dash == 0);
+  CHECK(chosen.ellipsoids.size() == 3);
+  parts.parts[1].must_exist = true;
+  CHECK(template_scene(parts).boxes[1].dash == 0);
+}
 
 TEST_CASE("Each figure is saved by its command, as wide as asked for") {
   TestWindow window(500, 400);

@@ -217,3 +217,28 @@ TEST_CASE("Surface and samples are coloured by each term of the energy, whose na
   }
   CHECK_FALSE(run(window, "inspect-colour", {"taste"}));
 }
+
+TEST_CASE(
+    "A click on a term of the energy shows it on the shape, a second one takes it away, in small windows "
+    "too") {
+  TestWindow window;
+  open_fitted(window, 1);
+  Studio& studio = window.studio();
+  const Picture plain = window.window().picture();
+  for (const auto& [term, colour] :
+       {std::pair("Shape to template", "distance"), std::pair("Features", "features"),
+        std::pair("Smoothness", "smoothness")}) {
+    window.click(std::string("inspect:term:") + term);
+    CHECK(studio.settings.inspect_colour == colour);
+    CHECK_FALSE(window.window().picture() == plain);
+    window.click(std::string("inspect:term:") + term);
+    CHECK(studio.settings.inspect_colour == "part");
+  }
+  const bool means = studio.settings.inspect_mean_boxes;
+  window.click("inspect:term:Deformation");
+  CHECK(studio.settings.inspect_mean_boxes != means);
+  window.click("inspect:term:Template to shape");
+  CHECK(studio.settings.inspect_template_points);
+  window.click("inspect:term:Existence");  // has no picture
+  CHECK(studio.settings.inspect_colour == "part");
+}

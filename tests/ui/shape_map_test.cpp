@@ -149,6 +149,29 @@ TEST_CASE("The wheel zooms about the cursor, Shift pans, F shows the whole map a
   CHECK(window.map().zoom == doctest::Approx(zoom));
 }
 
+TEST_CASE("The map is found as it was left, whatever keys were pressed in views without a camera") {
+  MapWindow window(36);
+  ImGui::GetIO().MousePos = window.place_of(10);
+  window.frames(2);
+  ImGui::GetIO().MouseWheel = 4;
+  window.frames(1);
+  ImGui::GetIO().MouseWheel = 0;
+  window.frames(1);
+  const MapState left = window.map();
+  for (const char* view : {"show-clusters", "show-plots", "show-cloud", "show-inspect", "show-shape"}) {
+    REQUIRE(run_command(window.studio(), view));
+    window.settle();
+    for (const char* key : {"F", "1", "Home"}) window.key(key);
+    window.frames(2);
+    REQUIRE(run_command(window.studio(), "show-map"));
+    window.settle();
+    CAPTURE(view);
+    CHECK(window.map().x == left.x);
+    CHECK(window.map().y == left.y);
+    CHECK(window.map().zoom == left.zoom);
+  }
+}
+
 TEST_CASE("Sliders move the boxes that are wished and find the shapes that have them") {
   MapWindow window(36);
   const std::vector<NearShape> average = window.map().slider.nearest;
