@@ -17,20 +17,45 @@ namespace archetype {
 namespace {
 
 constexpr const char* document_setting = "studio.document";
-constexpr const char* strip_setting = "studio.strip";  // numbers of shapes, with blanks between
+// The project's current templates when the document was stored.
+constexpr const char* known_templates_setting = "studio.templates";
+constexpr const char* strip_setting = "studio.strip";
+
+// With blanks between.
+std::string text_of(std::span<const std::int64_t> ids) {
+  std::string text;
+  for (const std::int64_t id : ids) {
+    if (!text.empty()) text += ' ';
+    text += std::to_string(id);
+  }
+  return text;
+}
+
+std::string current_templates(const Project& project) {
+  std::vector<TemplateId> ids;
+  for (const TemplateRecord& record : project.templates()) ids.push_back(record.id);
+  return text_of(ids);
+}
 
 void store(Project project, const Document& document, const std::string& text,
            const std::vector<ShapeId>& strip) {
-  std::string members;
-  for (const ShapeId id : strip) {
-    if (!members.empty()) members += ' ';
-    members += std::to_string(id);
-  }
+  const auto change = [&](const char* setting, const std::string& value) {
+    if (project.setting(setting) != value) project.set_setting(setting, value);
+  };
   Project::Transaction transaction(project);
   project.set_setting(document_setting, text);
   store_corrections(project, document);
-  if (project.setting(strip_setting).value_or("") != members) project.set_setting(strip_setting, members);
+  change(strip_setting, text_of(strip));
+  change(known_templates_setting, current_templates(project));
   transaction.commit();
+}
+
+// Since the document was stored. Not while learning can be gone on with: it is from what is edited.
+bool has_other_templates(const Project& project) {
+  const auto known = project.setting(known_templates_setting);
+  if (!known || *known == current_templates(project)) return false;
+  const std::optional<LearningRecord> learning = learning_record(project);
+  return !learning || learning->settled;
 }
 
 }  // namespace
@@ -77,11 +102,17 @@ std::optional<CollectionRows> reread_rows(const std::filesystem::path& project, 
 
 Document read_document(const Project& project) {
   Document stored;
-  if (const auto text = project.setting(document_setting)) {
-    stored = parse_document(*text, project.path());
-  } else {
-    for (TemplateRecord& record : project.templates())
-      stored.templates.push_back(std::make_shared<const PartTemplate>(std::move(record.part_template)));
+  const auto text = project.setting(document_setting);
+  if (text) stored = parse_document(*text, project.path());
+  if (!text || has_other_templates(project)) {
+    // Those of the batch program, say, come beside those that were edited.
+    const std::size_t edited = stored.templates.size();
+    for (TemplateRecord& record : project.templates()) {
+      const auto same = [&](const auto& each) { return *each == record.part_template; };
+      if (std::ranges::none_of(stored.templates, same))
+        stored.templates.push_back(std::make_shared<const PartTemplate>(std::move(record.part_template)));
+    }
+    if (stored.templates.size() > edited) stored.active = edited;
   }
   // Two of one name, as other programs may write them, could not be told apart.
   Document document;

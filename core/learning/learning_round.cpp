@@ -19,8 +19,8 @@ namespace {
 
 // A round that gains less than this is none.
 constexpr double smallest_gain = 1e-3;
-// That a division costs for each member, about: for the progress.
-constexpr std::size_t fits_of_division = 30;
+// That a division costs for each member, rather too many than too few: for the progress.
+constexpr std::size_t fits_of_division = 38;
 
 // What a shape says of the template that it takes.
 struct Taken {

@@ -44,13 +44,13 @@ struct LearningRound {
 // those of the divisions, some 30 per shape. Differs from the paper, which keeps every round's templates: so
 // learning can leave a collection worse.
 // known_yaws: quarter turns of the judging shapes (LearningRound::yaws of the first round), or none at all.
-// They are held against others (add_cost_of_turning()). Differs from the paper: where a template of teapots has a
-// handle on one side and a spout on the other, the turned one does about as well, and whole clusters would
-// change what their parts mean.
-// corrections: what was corrected by hand, one per shape with the judging ones first, null where nothing was;
-// or none at all. Pinned yaws, templates and labels hold in all fits, and pinned yaws count when yaws are
-// decided; shapes pinned to a template stay with it when it is divided. Shapes marked to be learned from are
-// in the learning set of their template whatever their energy. Outliers are for the caller to leave out.
+// They are held against others (add_cost_of_turning()). Differs from the paper: where a template of teapots
+// has a handle on one side and a spout on the other, the turned one does about as well, and whole clusters
+// would change what their parts mean. corrections: what was corrected by hand, one per shape with the judging
+// ones first, null where nothing was; or none at all. Pinned yaws, templates and labels hold in all fits, and
+// pinned yaws count when yaws are decided; shapes pinned to a template stay with it when it is divided.
+// Shapes marked to be learned from are in the learning set of their template whatever their energy. Outliers
+// are for the caller to leave out.
 std::optional<LearningRound> learning_round(std::span<const LearnedTemplate> templates,
                                             std::span<const ShapeSamples> judging,
                                             std::span<const ShapeSamples> others,

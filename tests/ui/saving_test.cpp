@@ -273,3 +273,28 @@ TEST_CASE("A picture that was drawn of an older fit is not kept") {
   CHECK(keep_thumbnail(project, shape, kind, picture, thumbnail_source(project, shape)));
   CHECK(project.thumbnail(shape, kind));
 }
+
+TEST_CASE("Templates that another program learned come beside those that were edited") {
+  TestWindow window;
+  window.open_chairs(1);
+  window.make_template();
+  save_now(window.studio());
+  const Document edited = window.studio().history.current();
+  const fs::path path = window.studio().collection.path;
+  CHECK(stored(path) == edited);
+  {
+    Project project = Project::open(path);
+    TemplateRecord record;
+    record.part_template = *edited.active_template();
+    record.part_template.name = "learned elsewhere";
+    project.set_current_templates({project.add_template(record)});
+  }
+  const Document both = stored(path);
+  REQUIRE(both.templates.size() == edited.templates.size() + 1);
+  CHECK(both.active_template()->name == "learned elsewhere");
+  CHECK(*both.templates[edited.active] == *edited.active_template());
+  // What is stored after that is as it was edited.
+  add_part(window.studio().history, {});
+  save_now(window.studio());
+  CHECK(stored(path) == window.studio().history.current());
+}
