@@ -105,14 +105,15 @@ Document read_document(const Project& project) {
   const auto text = project.setting(document_setting);
   if (text) stored = parse_document(*text, project.path());
   if (!text || has_other_templates(project)) {
-    // Those of the batch program, say, come beside those that were edited.
-    const std::size_t edited = stored.templates.size();
+    // Those of the batch program, say, come before those that were edited, and keep their names.
+    std::vector<std::shared_ptr<const PartTemplate>> others;
     for (TemplateRecord& record : project.templates()) {
       const auto same = [&](const auto& each) { return *each == record.part_template; };
       if (std::ranges::none_of(stored.templates, same))
-        stored.templates.push_back(std::make_shared<const PartTemplate>(std::move(record.part_template)));
+        others.push_back(std::make_shared<const PartTemplate>(std::move(record.part_template)));
     }
-    if (stored.templates.size() > edited) stored.active = edited;
+    if (!others.empty()) stored.active = 0;
+    stored.templates.insert(stored.templates.begin(), others.begin(), others.end());
   }
   // Two of one name, as other programs may write them, could not be told apart.
   Document document;

@@ -53,7 +53,7 @@ CollectionRows read_rows(const Project& project);
 std::optional<CollectionRows> reread_rows(const std::filesystem::path& project, const JobControl& control);
 using RowsReader = LatestWorker<std::filesystem::path, CollectionRows>;
 
-// The document that was being edited, with the project's current templates beside it where these have changed
+// The document that was being edited, after the project's current templates where these have changed
 // since it was stored by other means. Throws Error.
 Document read_document(const Project& project);
 // What fits and learning heed, as the document has it now: autosave may be behind.
