@@ -9,26 +9,16 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/session/import_shapes.h"
 #include "core/session/learn_templates.h"
-#include "tests/support/scratch_folder.h"
-#include "tests/support/small_collection.h"
+#include "tests/support/imported_chairs.h"
 
 using namespace archetype;
 using namespace archetype::test;
 
 namespace {
 
-struct Chairs {
-  ScratchFolder folder;
-  Project project = Project::in_memory();
-
-  Chairs() {
-    write_chairs(folder.path(), 4);
-    ImportOptions options;
-    options.points = 60;
-    import_shapes(project, {folder.path() / "shapes"}, options, {});
-  }
+struct Chairs : ImportedChairs {
+  Chairs() : ImportedChairs(4, 60) {}
   std::optional<PartTemplate> choose(const JobControl& control = {}) {
     return automatic_start(project, {}, {}, 1, 2, control);
   }

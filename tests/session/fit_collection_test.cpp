@@ -4,26 +4,15 @@
 
 #include "core/base/error.h"
 #include "core/session/evaluate_labelling.h"
-#include "core/session/import_shapes.h"
-#include "tests/support/scratch_folder.h"
-#include "tests/support/small_collection.h"
+#include "tests/support/imported_chairs.h"
 
 using namespace archetype;
 using namespace archetype::test;
 
 namespace {
 
-// A project of a few generated chairs.
-struct Chairs {
-  ScratchFolder folder;
-  Project project = Project::in_memory();
-
-  explicit Chairs(std::size_t count) {
-    write_chairs(folder.path(), count);
-    ImportOptions options;
-    options.points = 150;
-    import_shapes(project, {folder.path() / "shapes"}, options, {});
-  }
+struct Chairs : ImportedChairs {
+  using ImportedChairs::ImportedChairs;
   FitCollectionReport fit(const std::vector<PartTemplate>& templates, const JobControl& control = {}) {
     return fit_collection(project, templates, {}, 2, control);
   }

@@ -3,28 +3,15 @@
 #include <doctest/doctest.h>
 
 #include "core/session/fit_collection.h"
-#include "core/session/import_shapes.h"
-#include "tests/support/scratch_folder.h"
-#include "tests/support/small_collection.h"
+#include "tests/support/imported_chairs.h"
 
 using namespace archetype;
 using namespace archetype::test;
 
 namespace {
 
-struct Chairs {
-  ScratchFolder folder;
-  Project project = Project::in_memory();
-
-  Chairs() {
-    write_chairs(folder.path(), 8);
-    import({});
-  }
-  void import(const ImportOptions& more) {
-    ImportOptions options = more;
-    options.points = 150;
-    import_shapes(project, {folder.path() / "shapes"}, options, {});
-  }
+struct Chairs : ImportedChairs {
+  Chairs() : ImportedChairs(8) {}
   std::vector<int> fitted_yaws(const PartTemplate& part_template) {
     fit_collection(project, {part_template}, {}, 2, {});
     std::vector<int> yaws;
@@ -82,6 +69,7 @@ TEST_CASE("known yaws are those of these templates, and of shapes as they were s
   CHECK(learned_yaws(chairs.project, {}).empty());
   CHECK(learned_yaws(chairs.project, {chairs.templates()[0] + 1}).empty());
   ImportOptions other;
+  other.points = 150;
   other.seed = 7;
   chairs.import(other);
   CHECK(learned_yaws(chairs.project, chairs.templates()).empty());
