@@ -250,7 +250,7 @@ class Round {
     const double costs = cost(split->child.part_template, split->judging_to_child) +
                          cost(split->parent.part_template, members.judging - split->judging_to_child) -
                          cost(result_.templates[t].part_template, members.judging);
-    const double needed = options_.agreeing_share * static_cast<double>(members.judging);
+    const double needed = options_.divided_share * static_cast<double>(members.judging);
     if (split->gain <= costs || static_cast<double>(split->agreeing) < needed) return true;
     split->child.part_template.name = split->child.initial.name =
         free_name(result_.templates[t].part_template.name);

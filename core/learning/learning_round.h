@@ -36,21 +36,23 @@ struct LearningRound {
 
 // Fits `templates` to all shapes, re-estimates each from its learning set, and divides those that stay as
 // they are where that gains (split_template.h). `judging` decides what is kept: a re-estimated template if
-// the share options.agreeing_share of the shapes that take it fit better, a division if as many do and if it
-// lowers the energy by more than its parameters cost. `others` are only learned from. The yaws of the judging
-// shapes are decided together (agreed_yaws.h). Templates that no judging shape takes are dropped. Nothing if
-// cancelled. Progress counts the fits of the round, with those ahead as far as it can be told. Deterministic
-// whatever the number of threads; about 3 fits per template and judging shape and one per other shape, and
-// those of the divisions, some 30 per shape. Differs from the paper, which keeps every round's templates: so
-// learning can leave a collection worse.
+// the share options.agreeing_share of the shapes that take it fit better, a division if the share
+// options.divided_share does and if it lowers the energy by more than its parameters cost. `others` are only
+// learned from. The yaws of the judging shapes are decided together (agreed_yaws.h). Templates that no
+// judging shape takes are dropped. Nothing if cancelled. Progress counts the fits of the round, with those
+// ahead as far as it can be told. Deterministic whatever the number of threads; about 3 fits per template and
+// judging shape and one per other shape, and those of the divisions, some 30 per shape. Differs from the
+// paper, which keeps every round's templates: so learning can leave a collection worse.
+//
+// corrections: what was corrected by hand, one per shape with the judging ones first, null where nothing was;
+// or none at all. Pinned yaws, templates and labels hold in all fits, and pinned yaws count when yaws are
+// decided; shapes pinned to a template stay with it when it is divided. Shapes marked to be learned from are
+// in the learning set of their template whatever their energy. Outliers are for the caller to leave out.
+//
 // known_yaws: quarter turns of the judging shapes (LearningRound::yaws of the first round), or none at all.
 // They are held against others (add_cost_of_turning()). Differs from the paper: where a template of teapots
 // has a handle on one side and a spout on the other, the turned one does about as well, and whole clusters
-// would change what their parts mean. corrections: what was corrected by hand, one per shape with the judging
-// ones first, null where nothing was; or none at all. Pinned yaws, templates and labels hold in all fits, and
-// pinned yaws count when yaws are decided; shapes pinned to a template stay with it when it is divided.
-// Shapes marked to be learned from are in the learning set of their template whatever their energy. Outliers
-// are for the caller to leave out.
+// would change what their parts mean.
 std::optional<LearningRound> learning_round(std::span<const LearnedTemplate> templates,
                                             std::span<const ShapeSamples> judging,
                                             std::span<const ShapeSamples> others,
