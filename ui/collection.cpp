@@ -31,7 +31,7 @@ std::string text_of(std::span<const std::int64_t> ids) {
   return text;
 }
 
-std::string current_templates(const Project& project) {
+std::string ids_of_current_templates(const Project& project) {
   std::vector<TemplateId> ids;
   for (const TemplateRecord& record : project.templates()) ids.push_back(record.id);
   return text_of(ids);
@@ -46,14 +46,14 @@ void store(Project project, const Document& document, const std::string& text,
   project.set_setting(document_setting, text);
   store_corrections(project, document);
   change(strip_setting, text_of(strip));
-  change(known_templates_setting, current_templates(project));
+  change(known_templates_setting, ids_of_current_templates(project));
   transaction.commit();
 }
 
 // Since the document was stored. Not while learning can be gone on with: it is from what is edited.
 bool has_other_templates(const Project& project) {
   const auto known = project.setting(known_templates_setting);
-  if (!known || *known == current_templates(project)) return false;
+  if (!known || *known == ids_of_current_templates(project)) return false;
   const std::optional<LearningRecord> learning = learning_record(project);
   return !learning || learning->settled;
 }
