@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <mutex>
 
 #include "core/fitting/fit_template.h"
@@ -108,6 +109,28 @@ TEST_CASE("progress counts the fits, of no more than it says, and comes near to 
   CHECK(rising);
   CHECK(last >= 3 * shapes.size());  // to agree on the yaws, with these, and with what is re-estimated
   CHECK(2 * last > total);
+}
+
+TEST_CASE("shapes stay turned as they were known to be, unless the templates clearly say otherwise") {
+  std::vector<ShapeSamples> shapes;
+  add_chairs(shapes, "plain", 6, points);
+  // What a round makes of shapes that are known as they fit best, and of ones known the other way round.
+  const auto energies = [&](const PartTemplate& part_template) {
+    const LearnedTemplate start{part_template, part_template};
+    const auto energy = [&](std::span<const int> known) {
+      const auto round = learning_round(std::span(&start, 1), shapes, {}, {}, {}, 2, {}, {}, known);
+      CHECK(std::ranges::equal(round->yaws, known));
+      return round->energy_before;
+    };
+    std::vector<int> yaws = learning_round(std::span(&start, 1), shapes, {}, {}, {}, 2, {})->yaws;
+    const double as_they_fit = energy(yaws);
+    for (int& yaw : yaws) yaw = (yaw + 2) % 4;
+    return std::array{as_they_fit, energy(yaws)};
+  };
+  const auto drum = energies(drum_template());
+  CHECK(drum[1] == doctest::Approx(drum[0]).epsilon(0.02));
+  const auto chair = energies(chair_template());
+  CHECK(chair[1] == doctest::Approx(chair[0] + 0.1));  // all turn back, at that cost
 }
 
 TEST_CASE("a cancelled round gives nothing") {

@@ -39,4 +39,13 @@ PartTemplate chair_template() {
   return chair;
 }
 
+PartTemplate drum_template() {
+  PartTemplate drum;
+  drum.name = "drum";
+  drum.parts.resize(1);
+  drum.parts[0].name = "drum";
+  drum.parts[0].scale = {{0.6, 1, 0.6}, {0.1, 0.1, 0.1}};
+  return drum;
+}
+
 }  // namespace archetype::test

@@ -14,4 +14,7 @@ void write_chairs(const std::filesystem::path& folder, std::size_t count, std::u
 // Seat, back and four legs, labelled as the generated chairs are.
 PartTemplate chair_template();
 
+// One part, which looks the same from the front and from behind.
+PartTemplate drum_template();
+
 }  // namespace archetype::test
