@@ -9,12 +9,12 @@ namespace {
 
 void undo_command(Studio& studio, Arguments) {
   const std::string message = studio.history.entries()[studio.history.position()].message;
-  studio.history.undo();
+  step_through_history(studio, [](History& history) { history.undo(); });
   studio.ui.status = "Undone: " + message;
 }
 
 void redo_command(Studio& studio, Arguments) {
-  studio.history.redo();
+  step_through_history(studio, [](History& history) { history.redo(); });
   studio.ui.status = "Redone: " + studio.history.entries()[studio.history.position()].message;
 }
 

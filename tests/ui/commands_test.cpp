@@ -1,5 +1,6 @@
 // The command table, scripts and keys.
 #include <doctest/doctest.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +52,19 @@ TEST_CASE("Names and keys of commands are unique, titles are there, keys can be 
     const auto chord = parse_chord(command.key);
     REQUIRE(chord.has_value());
     CHECK(to_string(*chord) == command.key);
+  }
+}
+
+TEST_CASE("A key that runs a command is not one to walk among the widgets with") {
+  for (const ImGuiKey key : {ImGuiKey_Home, ImGuiKey_Escape}) {
+    TestWindow window;
+    window.make_template();
+    window.click("tab:Learning");
+    window.click("viewport");
+    window.studio().pressed_keys.push_back(*parse_chord(key == ImGuiKey_Home ? "Home" : "Escape"));
+    window.field_key(key);
+    CHECK(ImGui::GetCurrentContext()->NavDisableHighlight);
+    CHECK_FALSE(ImGui::GetCurrentContext()->NavDisableMouseHover);
   }
 }
 
