@@ -80,7 +80,11 @@ void DesktopWindow::DestroyWindow::operator()(GLFWwindow* window) const {
 }
 
 bool DesktopWindow::display_available() {
-  return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+  const auto named = [](const char* variable) {
+    const char* value = std::getenv(variable);
+    return value != nullptr && *value != 0;
+  };
+  return named("DISPLAY") || named("WAYLAND_DISPLAY");
 }
 
 DesktopWindow::DesktopWindow(int width, int height, StudioOptions options)
@@ -120,6 +124,10 @@ void DesktopWindow::on_drop(GLFWwindow* window, int count, const char** paths) {
     const std::string arguments[] = {paths[i]};
     run_command(*self.studio_, "open", arguments);
   }
+}
+
+void DesktopWindow::hide() {
+  glfwHideWindow(window_.get());
 }
 
 bool DesktopWindow::take_close_wish() {
