@@ -49,6 +49,8 @@ void cancel_command(Studio& studio, Arguments) {
     studio.ui.status = "Cancelled";
   } else if (studio.ui.points.tool != PointTool::none) {
     take_point_tool(studio, PointTool::none);
+  } else if (studio.ui.centre == CentreView::inspect && studio.ui.inspect.painting) {
+    studio.ui.inspect.painting = false;
   } else if (!selected_points(studio).empty()) {
     studio.ui.points.selected.clear();
   } else if (studio.ui.centre != CentreView::shape && studio.ui.selection.place) {

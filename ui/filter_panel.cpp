@@ -245,9 +245,7 @@ void draw_filter_panel(Studio& studio) {
 }
 
 void show_filter(Studio& studio) {
-  constexpr double least_height = 220;
   studio.settings.show_bottom = true;
-  studio.settings.bottom_height = std::max(studio.settings.bottom_height, least_height);
   studio.ui.wanted_bottom_tab = BottomTab::filter;
 }
 

@@ -147,7 +147,7 @@ void DesktopWindow::wait_for_events() {
     return;
   }
   glfwWaitEventsTimeout(wants_frames(*studio_) ? running_seconds : idle_seconds);
-  frames_to_draw_ = 2;
+  frames_to_draw_ = 3;
 }
 
 void DesktopWindow::frame() {

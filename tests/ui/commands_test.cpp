@@ -68,6 +68,25 @@ TEST_CASE("A key that runs a command is not one to walk among the widgets with")
   }
 }
 
+TEST_CASE("The panel below is high for what needs it, and gives the room back for other tabs") {
+  TestWindow window;
+  const auto top = [&] {
+    window.frames(3);
+    return std::ranges::find(window.studio().targets, "tab:Jobs", &Target::name)->low_y;
+  };
+  const float low = top();
+  window.key("L");
+  const float high = top();
+  CHECK(high < low - 100);
+  window.click("tab:Jobs");
+  CHECK(top() == low);
+  window.click("tab:Filter");
+  CHECK(top() < low - 40);
+  window.drag("splitter:bottom", 0, -60);
+  window.click("tab:Jobs");
+  CHECK(top() < low - 90);
+}
+
 TEST_CASE("Every command without arguments runs or says why not, on an empty window and on a template") {
   for (const bool with_template : {false, true}) {
     TestWindow window;
