@@ -27,13 +27,20 @@ std::string title_of(const Studio& studio, CloseQuestion question) {
   return question == CloseQuestion::homeless ? "Save the templates?" : "What you edited is not saved";
 }
 
+// What the program unpacked or made itself has a name in the menu File; where it lies is nobody's concern.
+std::string opened_again_as(const Studio& studio) {
+  const std::string folder = studio.collection.folder.string();
+  const bool own = folder.starts_with(studio.options.folders.cache.string() + "/");
+  return own ? "“" + studio.collection.title + "” again" : "this folder: " + folder;
+}
+
 std::string text_of(const Studio& studio, CloseQuestion question) {
   switch (question) {
     case CloseQuestion::untitled:
       return "It has no project file of its own yet. What you edited is kept all the same, and is there "
              "again "
-             "when you open this folder: " +
-             studio.collection.folder.string();
+             "when you open " +
+             opened_again_as(studio) + ".";
     case CloseQuestion::homeless:
       return "They belong to no project yet: without saving them they are gone.";
     case CloseQuestion::unsavable:

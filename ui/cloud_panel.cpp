@@ -61,7 +61,8 @@ void follow_camera_wishes(Studio& studio, const CloudPane& pane) {
   CloudView& view = studio.cloud;
   const PointGeometry& points = *view.content->points;
   const auto framed = [&](Camera camera) {
-    frame_points(camera, pane.viewport(), some_of(points));
+    constexpr double margin = 0.16;  // the caption stands over the picture
+    frame_points(camera, pane.viewport(), some_of(points), margin);
     return camera;
   };
   view.camera.orthographic = studio.ui.view.orthographic;

@@ -62,6 +62,7 @@ void draw_scope(Studio& studio) {
 void draw_cloud_tools(Studio& studio) {
   draw_scope(studio);
   separator_in_line(studio);
+  ImGui::SameLine(0, 18 * studio.fonts.scale);  // a text has no frame that keeps it off the line
   muted_text(studio, "Colour by");
   ImGui::SameLine(0, 6 * studio.fonts.scale);
   command_toggle(studio, "cloud-by-part", "Part");

@@ -9,12 +9,12 @@ namespace {
 
 void undo_command(Studio& studio, Arguments) {
   const std::string message = studio.history.entries()[studio.history.position()].message;
-  studio.history.undo();
+  step_through_history(studio, [](History& history) { history.undo(); });
   studio.ui.status = "Undone: " + message;
 }
 
 void redo_command(Studio& studio, Arguments) {
-  studio.history.redo();
+  step_through_history(studio, [](History& history) { history.redo(); });
   studio.ui.status = "Redone: " + studio.history.entries()[studio.history.position()].message;
 }
 
@@ -49,6 +49,8 @@ void cancel_command(Studio& studio, Arguments) {
     studio.ui.status = "Cancelled";
   } else if (studio.ui.points.tool != PointTool::none) {
     take_point_tool(studio, PointTool::none);
+  } else if (studio.ui.centre == CentreView::inspect && studio.ui.inspect.painting) {
+    studio.ui.inspect.painting = false;
   } else if (!selected_points(studio).empty()) {
     studio.ui.points.selected.clear();
   } else if (studio.ui.centre != CentreView::shape && studio.ui.selection.place) {

@@ -100,25 +100,22 @@ Scene template_scene(const PartTemplate& part_template, const TemplateDrawing& d
 }
 
 Camera figure_camera(const Scene& scene, const Viewport& viewport) {
-  Bounds bounds;
-  const auto add_corners = [&](const glm::vec3& low, const glm::vec3& high, const glm::mat4& transform) {
-    for (int corner = 0; corner < 8; ++corner) {
-      const glm::vec4 at((corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
-                         (corner & 4) != 0 ? high.z : low.z, 1);
-      bounds.add(to_eigen(glm::dvec3(transform * at)));
-    }
+  std::vector<glm::vec3> points;
+  const auto add = [&](const std::vector<glm::vec3>& positions, const glm::mat4& transform) {
+    for (const glm::vec3& position : positions) points.emplace_back(transform * glm::vec4(position, 1));
   };
-  for (const SceneMesh& mesh : scene.meshes)
-    add_corners(mesh.geometry->low, mesh.geometry->high, mesh.transform);
-  for (const ScenePoints& points : scene.points)
-    add_corners(points.geometry->low, points.geometry->high, points.transform);
+  for (const SceneMesh& mesh : scene.meshes) add(mesh.geometry->positions, mesh.transform);
+  for (const ScenePoints& cloud : scene.points) {
+    add(cloud.geometry->positions, cloud.transform);
+    add(cloud.geometry->moved, cloud.transform);  // one camera for any blend
+  }
   for (const SceneBox& box : scene.boxes)
     for (int corner = 0; corner < 8; ++corner)
-      bounds.add(box.box.to_world(
-          Vec3((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1)));
+      points.emplace_back(to_glm(Vec3(box.box.to_world(
+          Vec3((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1)))));
   Camera camera;
   look_from(camera, ViewPreset::three_quarter);
-  if (!bounds.empty()) frame(camera, viewport, to_glm(bounds.low), to_glm(bounds.high), 0.03);
+  frame_points(camera, viewport, points, 0.03);
   return camera;
 }
 

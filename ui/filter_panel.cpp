@@ -58,7 +58,7 @@ void draw_templates(Studio& studio, const FitTable& table) {
         studio, [&](const ShapeRow& row) { return row.fit && row.fit->part_template == record.id; });
     const bool on = std::ranges::find(hidden, record.id) == hidden.end();
     const std::string target = "filter-template:" + std::to_string(record.id);
-    if (chips.chip(target, record.part_template.name + "  " + count_text(count), on))
+    if (chips.chip(target, record.part_template.name + "  ·  " + count_text(count), on))
       toggle_hidden(hidden, record.id);
     tooltip(on ? "Shown: click to hide its shapes" : "Hidden: click to show its shapes");
   }
@@ -76,12 +76,12 @@ void draw_statuses(Studio& studio) {
     const bool on = std::ranges::find(filter.hidden_statuses, status) == filter.hidden_statuses.end();
     if (count == 0 && on) continue;
     if (chips.chip("filter-status:" + std::string(to_string(status)),
-                   std::string(name) + "  " + count_text(count), on))
+                   std::string(name) + "  ·  " + count_text(count), on))
       toggle_hidden(filter.hidden_statuses, status);
   }
   const std::size_t unfitted = count_rows(studio, [](const ShapeRow& row) { return !row.fit; });
   if (unfitted == 0 && !filter.hide_unfitted) return;
-  if (chips.chip("filter-status:none", "without a fit  " + count_text(unfitted), !filter.hide_unfitted))
+  if (chips.chip("filter-status:none", "without a fit  ·  " + count_text(unfitted), !filter.hide_unfitted))
     filter.hide_unfitted = !filter.hide_unfitted;
 }
 
@@ -245,9 +245,7 @@ void draw_filter_panel(Studio& studio) {
 }
 
 void show_filter(Studio& studio) {
-  constexpr double least_height = 220;
   studio.settings.show_bottom = true;
-  studio.settings.bottom_height = std::max(studio.settings.bottom_height, least_height);
   studio.ui.wanted_bottom_tab = BottomTab::filter;
 }
 

@@ -32,6 +32,11 @@ struct Layout {
   float gap = 0;
 };
 
+// At scale 1. Only while the tab is shown: the views above need the room at other times.
+double least_height(BottomTab tab) {
+  return tab == BottomTab::learning ? 300 : tab == BottomTab::filter ? 220 : 60;
+}
+
 // Widths as the user set them, but never so wide that the view in the middle gets lost.
 Layout lay_out(const Studio& studio) {
   const ImGuiViewport* screen = ImGui::GetMainViewport();
@@ -47,9 +52,9 @@ Layout lay_out(const Studio& studio) {
   const float side_share = width * 0.32f;
   const float left = std::min(static_cast<float>(settings.left_width) * scale, side_share);
   const float right = std::min(static_cast<float>(settings.right_width) * scale, side_share);
-  const float below = settings.show_bottom ? std::min(static_cast<float>(settings.bottom_height) * scale,
-                                                      (high.y - low.y) * 0.5f)
-                                           : 0.0f;
+  const double wanted = std::max(settings.bottom_height, least_height(studio.ui.bottom_tab));
+  const float below =
+      settings.show_bottom ? std::min(static_cast<float>(wanted) * scale, (high.y - low.y) * 0.5f) : 0.0f;
   const float main_high = high.y - status;
   const float centre_high = settings.show_bottom ? main_high - below - layout.gap : main_high;
   const float x0 = low.x + left + layout.gap;
@@ -119,7 +124,7 @@ void draw_background(Studio& studio, const Layout& layout) {
            studio.settings.right_width, -1, 200, 900);
   if (studio.settings.show_bottom)
     splitter(studio, "bottom", {{l.bottom.low.x, l.bottom.low.y - l.gap}, {l.bottom.high.x, l.bottom.low.y}},
-             false, studio.settings.bottom_height, -1, 60, 900);
+             false, studio.settings.bottom_height, -1, least_height(studio.ui.bottom_tab), 900);
   ImGui::End();
 }
 

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include "ui/panels.h"
+#include "ui/selection.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
 
@@ -28,7 +29,8 @@ void draw_history_panel(Studio& studio) {
     }
   }
   ImGui::Unindent(edge);
-  if (wanted != studio.history.position()) studio.history.jump(wanted);
+  if (wanted != studio.history.position())
+    step_through_history(studio, [&](History& history) { history.jump(wanted); });
 }
 
 }  // namespace archetype

@@ -12,14 +12,15 @@
 namespace archetype {
 namespace {
 
-std::string progress_text(const JobView& job) {
+// `note` comes before what may be cut off.
+std::string progress_text(const JobView& job, const std::string& note) {
   if (job.state == JobState::stopping) return "stopping…";
   std::string text = job.doing;
   const char* before_count = text.empty() ? "" : text.ends_with(':') ? " " : "  ·  ";
   if (job.total > 0) text += before_count + count_text(job.done) + " of " + count_text(job.total);
-  if (job.state == JobState::paused) return text + (text.empty() ? "paused" : "  ·  paused");
+  if (job.state == JobState::paused) return text + (text.empty() ? "paused" : "  ·  paused") + note;
   if (job.seconds_left) text += "  ·  " + duration_text(*job.seconds_left) + " left of this step";
-  return text + "  ·  " + duration_text(job.seconds) + " so far";
+  return text + note + "  ·  " + duration_text(job.seconds) + " so far";
 }
 
 }  // namespace
@@ -29,7 +30,7 @@ void draw_active_job(Studio& studio, const JobView& job, const std::string& note
   ImGui::PushID(static_cast<int>(job.id));
   ImGui::TextUnformatted(job.title.c_str());
   ImGui::SameLine();
-  muted_text(studio, fitted(progress_text(job) + note, ImGui::GetContentRegionAvail().x));
+  muted_text(studio, fitted(progress_text(job, note), ImGui::GetContentRegionAvail().x));
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float pause = ImGui::GetFrameHeight() * 3.4f;
   const float stop = ImGui::GetFrameHeight() * 2.6f;

@@ -174,9 +174,7 @@ void look_into_round(Studio& studio, std::size_t round, std::size_t part_templat
 }
 
 void show_learning(Studio& studio) {
-  constexpr double least_height = 300;  // what the panel has to show needs room
   studio.settings.show_bottom = true;
-  studio.settings.bottom_height = std::max(studio.settings.bottom_height, least_height);
   studio.ui.wanted_bottom_tab = BottomTab::learning;
 }
 

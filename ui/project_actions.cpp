@@ -297,8 +297,9 @@ void open_generated(Studio& studio, const std::string& family, std::size_t count
   const fs::path folder = studio.options.folders.cache / "collections" /
                           (names.name + "-" + std::to_string(count) + "-" + version);
   const std::string one = names.name.substr(0, names.name.size() - 1);  // "chairs" -> "chair"
-  open_prepared_folder(studio, folder, "Generated " + names.name, starting_template_path(studio, one),
-                       [=](const JobControl& control) {
+  // The labels lie beside them, under the same names.
+  open_prepared_folder(studio, folder / "shapes", "Generated " + names.name,
+                       starting_template_path(studio, one), [=](const JobControl& control) {
                          return !write_collection(names.name, options, folder, control).cancelled;
                        });
 }

@@ -3,9 +3,22 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/session/same_part.h"
 #include "ui/studio.h"
 
 namespace archetype {
+namespace {
+
+// A part that was renamed stays where it was.
+std::optional<std::size_t> find_again(const PartTemplate& before, std::size_t part,
+                                      const PartTemplate& after) {
+  if (const auto found = find_same_part(before, part, after)) return found;
+  const bool renamed = part < after.parts.size() && before.parts.size() == after.parts.size() &&
+                       before.name == after.name && !find_same_part(after, part, before);
+  return renamed ? std::optional(part) : std::nullopt;
+}
+
+}  // namespace
 
 PartList selected_parts(const UiState& ui) {
   PartList parts;
@@ -48,6 +61,18 @@ void select_up_to(UiState& ui, std::size_t part) {
   for (std::size_t i = std::min(from, part); i <= std::max(from, part); ++i)
     if (i != from) parts.push_back(i);
   select_all_of(ui, parts);
+}
+
+void step_through_history(Studio& studio, const std::function<void(History&)>& step) {
+  const PartTemplate* active = studio.history.current().active_template();
+  const PartTemplate before = active ? *active : PartTemplate{};
+  step(studio.history);
+  const PartTemplate* after = studio.history.current().active_template();
+  PartList parts;
+  if (after)
+    for (const std::size_t part : selected_parts(studio.ui))
+      if (const auto found = find_again(before, part, *after)) parts.push_back(*found);
+  select_all_of(studio.ui, parts);
 }
 
 void keep_selection_within(UiState& ui, std::size_t part_count) {

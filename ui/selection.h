@@ -1,6 +1,7 @@
 // The selected parts of the active template: UiState::part leads, and others are edited with it.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "core/session/actions.h"
@@ -21,6 +22,9 @@ void select_all_of(UiState& ui, const PartList& parts);
 void toggle_selected(UiState& ui, std::size_t part);
 // From the leading part to this one, as in a list with Shift held.
 void select_up_to(UiState& ui, std::size_t part);
+// Runs what goes through the history: parts stay selected by their names, so that no other one takes the
+// place of one that is gone.
+void step_through_history(Studio& studio, const std::function<void(History&)>& step);
 // Drops what a template of so many parts does not have.
 void keep_selection_within(UiState& ui, std::size_t part_count);
 

@@ -37,7 +37,7 @@ std::vector<LegendLine> follow_map_legend(Studio& studio, const MadeMap& made, c
   for (std::size_t t = 0; t < counts.size() && y + line < space.high.y - 3 * line; ++t) {
     if (counts[t] == 0) continue;
     const std::string name = fitted(made.table->templates[t].part_template.name, 0.35f * space.size().x);
-    LegendLine entry{t, name + "  " + count_text(counts[t]), {space.low.x + 10 * scale, y}, false};
+    LegendLine entry{t, name + "  ·  " + count_text(counts[t]), {space.low.x + 10 * scale, y}, false};
     ImGui::SetCursorScreenPos(entry.low);
     ImGui::PushID(static_cast<int>(t));
     const float width = ImGui::CalcTextSize(entry.text.c_str()).x + 22 * scale;

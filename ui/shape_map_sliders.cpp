@@ -87,8 +87,10 @@ void draw_slider(Studio& studio, const Spread& spread, std::size_t part, std::si
   const ImVec2 bar(ImGui::GetCursorScreenPos().x, low.y);
   auto value = static_cast<float>(wish.value_or(0));
   ImGui::PushStyleColor(ImGuiCol_FrameBg, ImVec4(p.raised.x, p.raised.y, p.raised.z, 0.6f));
+  // Where any will do there is nothing to hold, and the word is to be read.
+  ImGui::PushStyleColor(ImGuiCol_SliderGrab, ImVec4(p.accent.x, p.accent.y, p.accent.z, wish ? 1 : 0.3f));
   if (ImGui::SliderFloat("##wish", &value, -farthest, farthest, wish ? "%+.1f σ" : "any")) wish = value;
-  ImGui::PopStyleColor();
+  ImGui::PopStyleColor(2);
   mark_target(studio, "wish:" + std::to_string(parameter));
   if (!ImGui::IsItemActive())
     draw_spread(spread[parameter], bar, {bar.x + width, bar.y + ImGui::GetFrameHeight()},

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <utility>
@@ -105,7 +106,9 @@ void draw_spread_dots(const Studio& studio, ImDrawList& draw, ImVec2 origin, con
                   dot.handle.of == SpreadHandle::Of::position ? "centre" : "half size", 'x' + dot.handle.axis,
                   stddev_of(*part, dot.handle.of)[dot.handle.axis]);
     const ImVec2 size = ImGui::CalcTextSize(text);
-    const ImVec2 low(at.x + 12 * scale, at.y - size.y - 8 * scale);
+    const float right = origin.x + static_cast<float>(view.viewport.width) - size.x - 9 * scale;
+    const ImVec2 low(std::min(at.x + 12 * scale, right),
+                     std::max(at.y - size.y - 8 * scale, origin.y + 4 * scale));
     draw.AddRectFilled({low.x - 5 * scale, low.y - 2 * scale},
                        {low.x + size.x + 5 * scale, low.y + size.y + 2 * scale}, IM_COL32(24, 26, 30, 235),
                        3 * scale);

@@ -80,7 +80,11 @@ void DesktopWindow::DestroyWindow::operator()(GLFWwindow* window) const {
 }
 
 bool DesktopWindow::display_available() {
-  return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+  const auto named = [](const char* variable) {
+    const char* value = std::getenv(variable);
+    return value != nullptr && *value != 0;
+  };
+  return named("DISPLAY") || named("WAYLAND_DISPLAY");
 }
 
 DesktopWindow::DesktopWindow(int width, int height, StudioOptions options)
@@ -122,6 +126,10 @@ void DesktopWindow::on_drop(GLFWwindow* window, int count, const char** paths) {
   }
 }
 
+void DesktopWindow::hide() {
+  glfwHideWindow(window_.get());
+}
+
 bool DesktopWindow::take_close_wish() {
   const bool wanted = glfwWindowShouldClose(window_.get()) != 0;
   glfwSetWindowShouldClose(window_.get(), GLFW_FALSE);
@@ -139,7 +147,7 @@ void DesktopWindow::wait_for_events() {
     return;
   }
   glfwWaitEventsTimeout(wants_frames(*studio_) ? running_seconds : idle_seconds);
-  frames_to_draw_ = 2;
+  frames_to_draw_ = 3;
 }
 
 void DesktopWindow::frame() {

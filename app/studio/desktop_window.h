@@ -27,6 +27,8 @@ class DesktopWindow {
   Studio& studio() { return *studio_; }
   // Waits for events, for as long as nothing changes by itself, then draws a frame.
   void frame();
+  // From the screen, before the end.
+  void hide();
   // Once for each time that its cross was pressed.
   bool take_close_wish();
 

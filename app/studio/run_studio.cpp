@@ -1,5 +1,6 @@
 #include "app/studio/run_studio.h"
 
+#include <chrono>
 #include <cstdio>
 #include <functional>
 #include <optional>
@@ -8,6 +9,7 @@
 #include "app/studio/desktop_window.h"
 #include "app/studio/kept_settings.h"
 #include "app/studio/resources.h"
+#include "app/studio/timely_end.h"
 #include "core/base/error.h"
 #include "core/io/file.h"
 #include "render/picture_file.h"
@@ -20,6 +22,8 @@ namespace archetype {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::chrono::seconds grace_of_background_work{2};
 
 void apply_settings(Settings& settings, const std::vector<std::string>& assignments) {
   for (const std::string& assignment : assignments) {
@@ -155,6 +159,7 @@ int run_window(Window& window, const StudioRequest& request, const Settings& set
     save_now(studio);  // a script that fails in its tenth line leaves the work of nine
     throw;
   }
+  if constexpr (std::is_same_v<Window, DesktopWindow>) window.hide();
   save_now(studio);
   print_output(studio);
   return exit_status(studio, unattended);
@@ -185,6 +190,9 @@ int run_studio(const StudioRequest& request) {
         say(studio, Severity::warning, problem);
     });
     kept.finish(to_keep());
+    // All is saved, and the window gone from the screen: nobody shall wait for what still runs beside it.
+    studio.session.reset();
+    end_within(grace_of_background_work, status);
     return status;
   }
   if (!request.quit)

@@ -97,10 +97,12 @@ struct Jobs::Running {
     bool tell = false;
     {
       const std::lock_guard lock(mutex);
-      // Threads report out of order; within one step the count only rises, until it is through.
-      const bool same_step = what == doing && now_total == total && done < total;
+      // Threads report out of order; within one step the count only rises, until it is through. Its total may
+      // change on the way: what was done till then was done in this step all the same.
+      const bool same_count = what == doing && now_total == total && done < total;
+      const bool same_step = same_count || (what == doing && now_done >= done);
       if (!same_step) step_start = clock.seconds();
-      done = same_step ? std::max(done, now_done) : now_done;
+      done = same_count ? std::max(done, now_done) : now_done;
       doing = what;
       total = now_total;
       const Clock::time_point now = Clock::now();

@@ -230,6 +230,25 @@ TEST_CASE("Neither the time of a job nor its estimate counts a pause, and the es
   finish(jobs);
 }
 
+TEST_CASE("The estimate goes on where the total changes on the way") {
+  Jobs jobs;
+  std::atomic<bool> changed = false;
+  jobs.start("Finding", [&](const JobControl& control) -> Jobs::Apply {
+    control.progress(4, 100, "fitting");
+    std::this_thread::sleep_for(1100ms);
+    control.progress(5, 20, "fitting");
+    changed = true;
+    return wait_for_stop(control);
+  });
+  while (!changed) std::this_thread::sleep_for(1ms);
+  const JobView view = jobs.view()[0];
+  CHECK(view.total == 20);
+  REQUIRE(view.seconds_left);
+  CHECK(*view.seconds_left == doctest::Approx(3 * view.seconds).epsilon(0.1));
+  jobs.cancel_all();
+  finish(jobs);
+}
+
 TEST_CASE("A loop of many bodies with one name shows each of its runs from the beginning") {
   Jobs jobs;
   std::atomic<bool> again = false;

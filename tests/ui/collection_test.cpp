@@ -6,12 +6,14 @@
 #include <thread>
 
 #include "core/session/actions.h"
+#include "core/session/ground_truth.h"
 #include "tests/ui/test_window.h"
 #include "ui/project_actions.h"
 #include "ui/thumbnail_worker.h"
 
 using namespace archetype;
 using archetype::test::TestWindow;
+namespace fs = std::filesystem;
 
 TEST_CASE("A folder opens in the grid; a click shows a shape; pictures are made") {
   TestWindow window;
@@ -26,6 +28,20 @@ TEST_CASE("A folder opens in the grid; a click shows a shape; pictures are made"
   CHECK(window.studio().shape.samples);
   CHECK(window.studio().thumbnails.problem().empty());
   for (const ShapeRow& row : rows) CHECK(window.studio().thumbnails.use(wanted_thumbnail(row)) != 0);
+}
+
+TEST_CASE("Generated shapes are named as their labels are, which are found beside them") {
+  TestWindow window;
+  Studio& studio = window.studio();
+  const std::string arguments[] = {"chairs", "2"};
+  REQUIRE(run_command(studio, "generate", arguments));
+  window.settle();
+  const auto& rows = studio.collection.rows();
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].name == "chair_00000");
+  const GroundTruthFolders truth = ground_truth_folders(Project::open(studio.collection.path));
+  REQUIRE_FALSE(truth.labels.empty());
+  CHECK(fs::exists(truth.labels / "chair_00000.seg"));
 }
 
 TEST_CASE("The arrow keys and the search go through the shapes") {

@@ -1,5 +1,6 @@
 // The command table, scripts and keys.
 #include <doctest/doctest.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,6 +53,38 @@ TEST_CASE("Names and keys of commands are unique, titles are there, keys can be 
     REQUIRE(chord.has_value());
     CHECK(to_string(*chord) == command.key);
   }
+}
+
+TEST_CASE("A key that runs a command is not one to walk among the widgets with") {
+  for (const ImGuiKey key : {ImGuiKey_Home, ImGuiKey_Escape}) {
+    TestWindow window;
+    window.make_template();
+    window.click("tab:Learning");
+    window.click("viewport");
+    window.studio().pressed_keys.push_back(*parse_chord(key == ImGuiKey_Home ? "Home" : "Escape"));
+    window.field_key(key);
+    CHECK(ImGui::GetCurrentContext()->NavDisableHighlight);
+    CHECK_FALSE(ImGui::GetCurrentContext()->NavDisableMouseHover);
+  }
+}
+
+TEST_CASE("The panel below is high for what needs it, and gives the room back for other tabs") {
+  TestWindow window;
+  const auto top = [&] {
+    window.frames(3);
+    return std::ranges::find(window.studio().targets, "tab:Jobs", &Target::name)->low_y;
+  };
+  const float low = top();
+  window.key("L");
+  const float high = top();
+  CHECK(high < low - 100);
+  window.click("tab:Jobs");
+  CHECK(top() == low);
+  window.click("tab:Filter");
+  CHECK(top() < low - 40);
+  window.drag("splitter:bottom", 0, -60);
+  window.click("tab:Jobs");
+  CHECK(top() < low - 90);
 }
 
 TEST_CASE("Every command without arguments runs or says why not, on an empty window and on a template") {

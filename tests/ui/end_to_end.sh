@@ -26,8 +26,12 @@ sleep 0.3  # what was edited a moment ago is saved all the same
 # The settings are written while the program runs: what was opened is in the list of recent projects.
 grep -q chairs/shapes "$XDG_CONFIG_HOME/archetype/settings.json"
 xdotool key ctrl+q
-sleep 1
-xdotool key Return  # an untitled project with edits: keep and close
+# An untitled project with edits: keep and close, as soon as the question is on the screen.
+for second in $(seq 60); do
+  sleep 1
+  kill -0 "$program" 2>/dev/null || break
+  xdotool key Return 2>/dev/null || break
+done
 wait "$program"
 DRIVE
 timeout 120 xvfb-run -a -s "-screen 0 1280x720x24 -noreset" bash "$folder/drive.sh" "$studio" "$folder/chairs/shapes"

@@ -59,6 +59,12 @@ TEST_CASE("A project that was open when the program was killed is offered and op
     CHECK_FALSE(offers_recovery(studio));
     CHECK(lost_sessions(studio.options.folders.data / "sessions").empty());
   }
+  SUBCASE("the window is closed: the next start offers it again") {
+    window.key("Ctrl+Q");
+    window.settle();
+    CHECK(studio.quit);
+    CHECK(lost_sessions(studio.options.folders.data / "sessions").size() == 1);
+  }
   SUBCASE("put off: it is there with its folder") {
     window.key("Escape");
     window.settle();

@@ -66,6 +66,34 @@ TEST_CASE("What is deleted, split or undone leaves no part selected that is not 
   CHECK(selected_parts(window.studio().ui).empty());
 }
 
+TEST_CASE(
+    "Undo, redo and the history leave the same parts selected, not those that come to stand in their place") {
+  TestWindow window;
+  window.make_template();
+  const UiState& ui = window.studio().ui;
+  window.click("part:back");
+  window.key("K");
+  CHECK(selected_parts(ui) == PartList{1, 2});
+  window.key("Ctrl+Z");
+  CHECK(selected_parts(ui) == PartList{1});
+  window.click("part:leg");
+  window.key("Ctrl+Shift+Z");
+  REQUIRE(shown(window).parts[3].name == "leg");
+  CHECK(selected_parts(ui) == PartList{3});
+  rename_part(window.studio().history, 3, "foot");
+  window.key("Ctrl+Z");
+  CHECK(selected_parts(ui) == PartList{3});
+  window.click("tab:History");
+  window.frames();
+  window.click("history:1");
+  REQUIRE(shown(window).parts.size() == 3);
+  CHECK(selected_parts(ui) == PartList{2});
+  window.key("Ctrl+N");
+  window.key("Shift+A");
+  window.key("Ctrl+Z");
+  CHECK(selected_parts(ui).empty());
+}
+
 TEST_CASE("The numbers that all have are set for all that are selected, in one step") {
   TestWindow window;
   window.make_template();
