@@ -20,6 +20,12 @@ void prepare_connection(Database& database) {
   database.execute("PRAGMA cell_size_check = ON");
 }
 
+// A write-ahead log: who reads does not stop who writes. Another program may come in the moment after the file
+// was made.
+void use_log(Database& database) {
+  database.execute_in_turn("PRAGMA journal_mode = WAL");
+}
+
 // True for what a program killed while it created the file has left.
 bool is_blank(Database& database) {
   return database.number("PRAGMA application_id") == 0 && database.number("PRAGMA user_version") == 0 &&
@@ -29,7 +35,7 @@ bool is_blank(Database& database) {
 void make_project(Database& database) {
   // The tables first, in one transaction of the rollback journal: the file is blank or whole at any moment.
   create_schema(database);
-  if (!database.path().empty()) database.execute("PRAGMA journal_mode = WAL");
+  if (!database.path().empty()) use_log(database);
 }
 
 bool may_write(const fs::path& path) {
@@ -99,7 +105,7 @@ Project Project::open(const fs::path& path) {
   try {
     connection->database = open_database(absolute);
     check_and_migrate_schema(*connection->database);
-    if (connection->database->writable()) connection->database->execute("PRAGMA journal_mode = WAL");
+    if (connection->database->writable()) use_log(*connection->database);
   } catch (const DiskFull&) {
     // The log itself has no room.
     connection->database.reset();

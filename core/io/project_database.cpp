@@ -4,6 +4,8 @@
 #include <sqlite3.h>
 
 #include <cerrno>
+#include <chrono>
+#include <thread>
 
 namespace archetype {
 
@@ -98,6 +100,16 @@ Database::~Database() {
 
 void Database::execute(const std::string& sql) {
   if (sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail("");
+}
+
+void Database::execute_in_turn(const std::string& sql) {
+  using Clock = std::chrono::steady_clock;
+  const auto last = Clock::now() + std::chrono::milliseconds(wait_for_lock);
+  while (sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) {
+    const bool busy = (sqlite3_extended_errcode(handle_) & 0xff) == SQLITE_BUSY;
+    if (!busy || Clock::now() > last) fail("");
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
 }
 
 std::int64_t Database::number(const std::string& sql) {

@@ -4,7 +4,10 @@
 #include <doctest/doctest.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <ctime>
+#include <latch>
+#include <thread>
 
 #include "core/base/error.h"
 #include "core/io/project_database.h"
@@ -215,6 +218,30 @@ TEST_CASE("two connections see each other's commits") {
   const Project reader = Project::open(folder.path() / "p.archetype");
   fill_project(writer);
   CHECK(reader.shape_count() == 2);
+}
+
+TEST_CASE("programs that open a project in the moment after it was made do not stop each other") {
+  const ScratchFolder folder;
+  const std::filesystem::path path = folder.path() / "p.archetype";
+  (void)Project::create(path);
+  std::atomic<int> failed = 0;
+  for (int round = 0; round < 50; ++round) {
+    // As it is before its maker has set up the log.
+    Database(path, Database::Mode::open).execute("PRAGMA journal_mode = DELETE");
+    std::latch all_there(4);
+    std::vector<std::jthread> programs;
+    for (int k = 0; k < 4; ++k) {
+      programs.emplace_back([&] {
+        all_there.arrive_and_wait();
+        try {
+          (void)Project::open(path);
+        } catch (const Error&) {
+          ++failed;
+        }
+      });
+    }
+  }
+  CHECK(failed == 0);
 }
 
 TEST_CASE("a full disk is an error that says so, loses nothing that was committed and does not last") {
