@@ -20,8 +20,8 @@ void prepare_connection(Database& database) {
   database.execute("PRAGMA cell_size_check = ON");
 }
 
-// A write-ahead log: who reads does not stop who writes. Another program may come in the moment after the file
-// was made.
+// A write-ahead log: who reads does not stop who writes. Another program may come in the moment after the
+// file was made.
 void use_log(Database& database) {
   database.execute_in_turn("PRAGMA journal_mode = WAL");
 }

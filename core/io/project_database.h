@@ -35,8 +35,8 @@ class Database {
   ~Database();
 
   void execute(const std::string& sql);
-  // Also where SQLite refuses at once instead of waiting: so it does where two connections would wait for each
-  // other, as with two that change the journal. Then it tries again, for as long as execute() waits.
+  // Also where SQLite refuses at once instead of waiting: so it does where two connections would wait for
+  // each other, as with two that change the journal. Then it tries again, for as long as execute() waits.
   void execute_in_turn(const std::string& sql);
   std::int64_t number(const std::string& sql);  // the first column of the only row, a PRAGMA's value for one
   std::int64_t last_row_id() const;

@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/fitting/agreed_yaws.h"
 #include "core/fitting/pinned_labels.h"
+#include "core/learning/child_name.h"
 #include "core/learning/reestimate.h"
 #include "core/learning/sightings.h"
 
@@ -315,10 +316,7 @@ class Round {
   std::string free_name(const std::string& parent) const {
     std::set<std::string> taken;
     for (const LearnedTemplate& each : result_.templates) taken.insert(each.part_template.name);
-    for (int number = 2;; ++number) {
-      std::string name = parent + " " + std::to_string(number);
-      if (!taken.contains(name)) return name;
-    }
+    return child_name(parent, taken);
   }
 
   std::span<const ShapeSamples> judging_samples_;

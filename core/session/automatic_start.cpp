@@ -68,8 +68,8 @@ std::optional<PartTemplate> automatic_start(Project& project, const FitOptions& 
   const std::size_t count = state->candidates.size();
   while (state->energies.size() < count) {
     const std::size_t tried = state->energies.size();
-    const std::string which = "trying suggestion " + std::to_string(tried + 1) + " of " +
-                              std::to_string(count) + ", shapes fitted:";
+    const std::string which =
+        "trying suggestion " + std::to_string(tried + 1) + " of " + std::to_string(count) + ", fits:";
     const JobControl of_trial{control.stop, [&](std::size_t done, std::size_t total, std::string_view) {
                                 control.progress(done, total, which);
                               }};

@@ -167,7 +167,7 @@ class LearnRun {
                        ", templates: " + std::to_string(state_.templates.size());
     if (!state_.steps.empty())
       what += ", energy " + number_text(std::round(state_.steps.back().energy * 1e4) / 1e4);
-    what += ", shapes fitted:";
+    what += ", fits:";
     round.report = [this, what](std::size_t done, std::size_t total, std::string_view) {
       control_.progress(done, total, what);
     };

@@ -91,7 +91,7 @@ TEST_CASE("a learning that was stopped goes on where it was, to the same templat
   CHECK(stopped.learned() == whole.learned());
 }
 
-TEST_CASE("progress tells the round, the templates, the energy and the shapes fitted") {
+TEST_CASE("progress tells the round, the templates, the energy and the fits") {
   Chairs chairs(12);
   std::mutex mutex;
   std::set<std::string> stages;
@@ -106,10 +106,10 @@ TEST_CASE("progress tells the round, the templates, the energy and the shapes fi
   const LearnReport report = chairs.learn(3, false, control);
   REQUIRE(report.steps.size() >= 2);
   CHECK(backwards == 0);  // but for what two threads report at once
-  CHECK(stages.contains("learning, round 1 of at most 3, templates: 1, shapes fitted:"));
+  CHECK(stages.contains("learning, round 1 of at most 3, templates: 1, fits:"));
   CHECK(std::ranges::any_of(stages, [](const std::string& what) {
     return what.starts_with("learning, round 2 of at most 3, templates: ") &&
-           what.find(", energy ") != std::string::npos && what.ends_with(", shapes fitted:");
+           what.find(", energy ") != std::string::npos && what.ends_with(", fits:");
   }));
   CHECK(stages.contains("fitting"));
 }
