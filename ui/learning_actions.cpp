@@ -90,6 +90,10 @@ void learn_from(Studio& studio, Start from) {
         const std::vector<PartTemplate> learned = current_templates(project);
         return [&studio, path, document, from, of_project, report, learned, title] {
           if (studio.collection.path != path) return;
+          const bool nothing = report.cancelled && report.steps.empty();
+          if (nothing)
+            return say(studio, Severity::note,
+                       "Learning stopped before the end of a round; nothing was changed");
           // A template that was edited meanwhile stays; what was learned comes beside it.
           const bool same = studio.history.committed() == document;
           const bool beside = from == Start::shapes && !document.templates.empty();

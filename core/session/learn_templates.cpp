@@ -91,6 +91,11 @@ class LearnRun {
     report_.steps = state_.steps;
     report_.cancelled = !all;
     if (!all) return std::move(report_);
+    if (!start_is_stored()) {  // no round was wanted
+      Project::Transaction transaction(project_);
+      store_start();
+      transaction.commit();
+    }
     std::vector<PartTemplate> learned;
     for (const LearnedTemplate& each : state_.templates) learned.push_back(each.part_template);
     report_.fit = fit_collection(project_, learned, fit_options_, threads_, control_);
@@ -113,23 +118,26 @@ class LearnRun {
         return;
       }
     }
-    Project::Transaction transaction(project_);
-    const std::vector<TemplateRecord> current = project_.templates();
-    for (const PartTemplate& each : initial) {
-      const auto same = std::ranges::find(current, each, &TemplateRecord::part_template);
-      TemplateRecord record;
-      record.part_template = each;
-      state_.ids.push_back(same != current.end() ? same->id : project_.add_template(record));
-      state_.templates.push_back({each, each});
-    }
+    for (const PartTemplate& each : initial) state_.templates.push_back({each, each});
     state_.request = request;
     state_.start = initial;
     state_.judging = judging;
     state_.lines.resize(initial.size());
+  }
+
+  // Within a transaction, together with the first round: who stops before its end keeps what was there.
+  void store_start() {
+    const std::vector<TemplateRecord> current = project_.templates();
+    for (const PartTemplate& each : state_.start) {
+      const auto same = std::ranges::find(current, each, &TemplateRecord::part_template);
+      TemplateRecord record;
+      record.part_template = each;
+      state_.ids.push_back(same != current.end() ? same->id : project_.add_template(record));
+    }
     project_.set_current_templates(state_.ids);
     store_learning_state(project_, state_);
-    transaction.commit();
   }
+  bool start_is_stored() const { return !state_.ids.empty(); }
 
   // False if cancelled.
   bool learn() {
@@ -177,6 +185,7 @@ class LearnRun {
   // One transaction a round.
   void keep(const LearningRound& round, int iteration) {
     Project::Transaction transaction(project_);
+    if (!start_is_stored()) store_start();
     const std::vector<std::size_t> lines_before = state_.current_lines();
     LearningStep step{iteration, round.energy_before, round.energy, {}, {}, round.taken};
     std::vector<TemplateId>& ids = step.templates;

@@ -91,6 +91,23 @@ TEST_CASE("a learning that was stopped goes on where it was, to the same templat
   CHECK(stopped.learned() == whole.learned());
 }
 
+TEST_CASE("a learning that is stopped before its first round is through changes nothing") {
+  Chairs chairs(12);
+  chairs.learn(1);
+  const std::vector<PartTemplate> learned = chairs.learned();
+  REQUIRE(learned != std::vector{Chairs::start()});
+  std::stop_source source;
+  const auto stop_in_round = [&](std::size_t, std::size_t, std::string_view what) {
+    if (what.starts_with("learning, round 1")) source.request_stop();
+  };
+  const LearnReport report = chairs.learn(2, true, {source.get_token(), stop_in_round});
+  CHECK(report.cancelled);
+  CHECK(report.steps.empty());
+  CHECK(chairs.learned() == learned);
+  CHECK(chairs.project.fits().size() == 12);
+  CHECK(learning_record(chairs.project)->steps.size() == 1);
+}
+
 TEST_CASE("progress tells the round, the templates, the energy and the fits") {
   Chairs chairs(12);
   std::mutex mutex;
