@@ -1,6 +1,8 @@
 // The menus: the command table, in its order.
 #include <imgui.h>
 
+#include <limits>
+
 #include "ui/centre_views.h"
 #include "ui/panels.h"
 #include "ui/project_actions.h"
@@ -34,6 +36,10 @@ void draw_starting_templates(Studio& studio) {
 void draw_menu_bar(Studio& studio) {
   if (!ImGui::BeginMainMenuBar()) return;
   for (const char* menu : {"File", "Edit", "Template", "Part", "Points", "Shape", "View", "Window", "Help"}) {
+    // Below the bar and never over it, or the click that opens a long menu would choose what comes to lie
+    // under it.
+    const float room = ImGui::GetMainViewport()->Size.y - ImGui::GetFrameHeight();
+    ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(std::numeric_limits<float>::max(), room));
     const bool open = ImGui::BeginMenu(menu);
     mark_target(studio, std::string("menu:") + menu);
     if (!open) continue;
