@@ -91,9 +91,10 @@ class LearnRun {
     report_.steps = state_.steps;
     report_.cancelled = !all;
     if (!all) return std::move(report_);
-    if (!start_is_stored()) {  // no round was wanted
+    if (state_.ids.empty()) {  // no round was wanted
       Project::Transaction transaction(project_);
-      store_start();
+      add_start();
+      store();
       transaction.commit();
     }
     std::vector<PartTemplate> learned;
@@ -125,8 +126,8 @@ class LearnRun {
     state_.lines.resize(initial.size());
   }
 
-  // Within a transaction, together with the first round: who stops before its end keeps what was there.
-  void store_start() {
+  // Together with the first round: who stops before its end keeps what was there.
+  void add_start() {
     const std::vector<TemplateRecord> current = project_.templates();
     for (const PartTemplate& each : state_.start) {
       const auto same = std::ranges::find(current, each, &TemplateRecord::part_template);
@@ -134,10 +135,12 @@ class LearnRun {
       record.part_template = each;
       state_.ids.push_back(same != current.end() ? same->id : project_.add_template(record));
     }
+  }
+
+  void store() {
     project_.set_current_templates(state_.ids);
     store_learning_state(project_, state_);
   }
-  bool start_is_stored() const { return !state_.ids.empty(); }
 
   // False if cancelled.
   bool learn() {
@@ -185,7 +188,7 @@ class LearnRun {
   // One transaction a round.
   void keep(const LearningRound& round, int iteration) {
     Project::Transaction transaction(project_);
-    if (!start_is_stored()) store_start();
+    if (state_.ids.empty()) add_start();
     const std::vector<std::size_t> lines_before = state_.current_lines();
     LearningStep step{iteration, round.energy_before, round.energy, {}, {}, round.taken};
     std::vector<TemplateId>& ids = step.templates;
@@ -211,9 +214,8 @@ class LearnRun {
     state_.templates = round.templates;
     state_.yaws = round.yaws;
     state_.settled = !round.changed();
-    project_.set_current_templates(ids);
     state_.steps.push_back(std::move(step));
-    store_learning_state(project_, state_);
+    store();
     transaction.commit();
   }
 
