@@ -61,32 +61,8 @@ double level_share(const std::vector<Vec3>& normals, const Vec3& vertical) {
   return normals.empty() ? 0 : sum / static_cast<double>(normals.size());
 }
 
-UprightLook::Profile profile_of(const std::vector<Vec3>& upright) {
-  constexpr std::size_t quantiles = UprightLook::quantiles;
-  std::vector<std::pair<double, double>> points;  // height, distance from the axis
-  std::vector<double> radii;
-  for (const Vec3& p : upright) {
-    radii.push_back(std::hypot(p.x(), p.z()));
-    points.emplace_back(p.y(), radii.back());
-  }
-  std::sort(points.begin(), points.end());
-  std::sort(radii.begin(), radii.end());
-  UprightLook::Profile profile{};
-  for (std::size_t q = 0; q < quantiles; ++q) {
-    const std::size_t middle = (2 * q + 1) * points.size() / (2 * quantiles);
-    profile[q] = static_cast<float>(points[middle].first);
-    profile[quantiles + q] = static_cast<float>(radii[middle]);
-    const std::size_t begin = q * points.size() / quantiles;
-    const std::size_t end = std::max((q + 1) * points.size() / quantiles, begin + 1);
-    double sum = 0;
-    for (std::size_t i = begin; i < end; ++i) sum += points[i].second;
-    profile[2 * quantiles + q] = static_cast<float>(sum / static_cast<double>(end - begin));
-  }
-  return profile;
-}
-
 // Mean difference, in normalised shape units.
-double distance(const UprightLook::Profile& a, const UprightLook::Profile& b) {
+double distance(const ShapeProfile& a, const ShapeProfile& b) {
   float sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
   return sum / static_cast<float>(a.size());
@@ -140,7 +116,7 @@ UprightLook look_upright(const ShapeSamples& samples) {
   for (std::size_t up = 0; up < up_axis_count; ++up) {
     const Mat3 rotation = upright_rotation(static_cast<UpAxis>(up));
     for (std::size_t i = 0; i < upright.size(); ++i) upright[i] = rotation * file_axes[i];
-    look.profiles[up] = profile_of(upright);
+    look.profiles[up] = shape_profile(upright);
     // The vertical planes are those across the two axes that do not point up.
     Eigen::Index vertical = 0;
     rotation.row(1).cwiseAbs().maxCoeff(&vertical);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/job_control.h"
+#include "core/geometry/shape_profile.h"
 #include "core/model/shape.h"
 
 namespace archetype {
@@ -14,12 +15,7 @@ inline constexpr std::size_t up_axis_count = 6;  // of UpAxis
 
 // How a shape would look with each axis of its file pointing up.
 struct UprightLook {
-  // Quantiles of the samples' heights, then of their distances from the vertical axis, then the mean such
-  // distance in layers of equally many samples from bottom to top: the same for every yaw. Quantiles, since
-  // differences of histograms favour whichever axis blurs the shape most.
-  static constexpr std::size_t quantiles = 16;
-  using Profile = std::array<float, 3 * quantiles>;
-  std::array<Profile, up_axis_count> profiles{};
+  std::array<ShapeProfile, up_axis_count> profiles{};
   // What speaks against each axis by itself, about -0.2 to 1: no vertical plane of symmetry, a centroid that
   // does not lie over what the shape stands on, little level surface.
   std::array<double, up_axis_count> oddness{};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <ranges>
 #include <set>
 
 #include "core/base/error.h"
@@ -11,6 +12,8 @@
 #include "core/fitting/agreed_yaws.h"
 #include "core/fitting/pinned_labels.h"
 #include "core/learning/child_name.h"
+#include "core/learning/merge_templates.h"
+#include "core/learning/parameter_cost.h"
 #include "core/learning/reestimate.h"
 #include "core/learning/sightings.h"
 
@@ -21,7 +24,7 @@ namespace {
 // A round that gains less than this is none.
 constexpr double smallest_gain = 1e-3;
 // That a division costs for each member, rather too many than too few: for the progress.
-constexpr std::size_t fits_of_division = 38;
+constexpr std::size_t fits_of_division = 80;
 
 // What a shape says of the template that it takes.
 struct Taken {
@@ -69,6 +72,7 @@ class Round {
       plan(0, t);
       if (!result_.origins[t].changed && !try_split(t)) return std::nullopt;
     }
+    if (!try_merges()) return std::nullopt;
     drop_unused();
     result_.energy = mean_energy();
     for (std::size_t i = 0; i < judging_; ++i) result_.taken.push_back(taken_[i].part_template);
@@ -163,19 +167,9 @@ class Round {
       ++members[taken_[i].part_template];
     }
     for (std::size_t t = 0; t < members.size(); ++t)
-      sum += cost(result_.templates[t].part_template, members[t]);
+      sum += parameter_cost(result_.templates[t].part_template, result_.templates[t].initial, members[t],
+                            fit_options_, options_);
     return sum / static_cast<double>(judging_);
-  }
-
-  // The Bayesian information criterion: energies are negative log likelihoods in units of 2 alpha, and a free
-  // parameter costs half the logarithm of the number of shapes. Six means and six spreads a part are free as
-  // far as the shapes outweigh what was known before.
-  double cost(const PartTemplate& part_template, std::size_t members) const {
-    const auto m = static_cast<double>(members);
-    const double free = 6 * m / (m + options_.prior_shapes_of_means + 1e-9) +
-                        6 * m / (m + options_.prior_shapes_of_spreads + 1e-9);
-    return fit_options_.alpha * free * static_cast<double>(part_template.parts.size()) *
-           std::log(static_cast<double>(judging_));
   }
 
   // The observations of the shapes that template `t` is learned from, the best fits first: those that fit
@@ -228,18 +222,29 @@ class Round {
     return true;
   }
 
-  // A second template for some of the shapes that take `t`. Differs from the paper, which looks for it in the
-  // learning set: benches fit a chair badly, and that is what makes them a cluster. False if cancelled.
-  bool try_split(std::size_t t) {
+  struct Chosen {
+    std::vector<std::size_t> indices;  // ascending
     TemplateMembers members;
-    std::vector<std::size_t> indices;
+  };
+  template <typename IsMember>
+  Chosen members_of(const IsMember& is_member) const {
+    Chosen chosen;
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
-      if (taken_[i].part_template != t || is_pinned_to(i, t)) continue;
-      indices.push_back(i);
-      members.shapes.push_back(shapes_[i]);
-      members.seen.push_back(taken_[i].seen);
-      members.judging += i < judging_ ? 1 : 0;
+      if (!is_member(i)) continue;
+      chosen.indices.push_back(i);
+      chosen.members.shapes.push_back(shapes_[i]);
+      chosen.members.seen.push_back(taken_[i].seen);
+      chosen.members.judging += i < judging_ ? 1 : 0;
     }
+    return chosen;
+  }
+
+  // One or two more templates for some of the shapes that take `t`. Differs from the paper, which looks for
+  // it in the learning set: benches fit a chair badly, and that is what makes them a cluster. False if
+  // cancelled.
+  bool try_split(std::size_t t) {
+    const auto [indices, members] =
+        members_of([&](std::size_t i) { return taken_[i].part_template == t && !is_pinned_to(i, t); });
     if (indices.size() < 2 * options_.smallest_cluster) return true;
     const auto judges = std::span(indices).first(members.judging);
     if (about_undivided(result_.templates[t].undivided, judges)) return true;
@@ -248,22 +253,58 @@ class Round {
     if (!split_template(result_.templates[t], members, fit_options_, options_, threads_, counted_, split))
       return false;
     if (!split) return true;
-    const double costs = cost(split->child.part_template, split->judging_to_child) +
-                         cost(split->parent.part_template, members.judging - split->judging_to_child) -
-                         cost(result_.templates[t].part_template, members.judging);
     const double needed = options_.divided_share * static_cast<double>(members.judging);
-    if (split->gain <= costs || static_cast<double>(split->agreeing) < needed) return true;
-    split->child.part_template.name = split->child.initial.name =
-        free_name(result_.templates[t].part_template.name);
-    split->parent.undivided.clear();
-    split->child.undivided.clear();
-    result_.templates[t] = std::move(split->parent);
+    if (split->gain <= 0 || static_cast<double>(split->agreeing) < needed) return true;
+    const std::string name = result_.templates[t].part_template.name;
+    for (std::size_t m = 0; m < indices.size(); ++m) {
+      const std::size_t side = split->sides[m];
+      taken_[indices[m]] = {side == 0 ? t : result_.templates.size() + side - 1, std::move(split->seen[m])};
+    }
+    result_.templates[t] = std::move(split->templates.front());
     result_.origins[t].changed = true;
-    for (std::size_t m = 0; m < indices.size(); ++m)
-      taken_[indices[m]] = {split->to_child[m] ? result_.templates.size() : t, std::move(split->seen[m])};
-    result_.templates.push_back(std::move(split->child));
-    result_.origins.push_back({t, true});
+    for (LearnedTemplate& child : split->templates | std::views::drop(1)) {
+      child.part_template.name = child.initial.name = free_name(name);
+      result_.templates.push_back(std::move(child));
+      result_.origins.push_back({t, true});
+    }
     return see_pinned_again(t);
+  }
+
+  // Each pair of templates, once nothing else changes. False if cancelled.
+  bool try_merges() {
+    if (std::ranges::any_of(result_.origins, &TemplateOrigin::changed)) return true;
+    const std::size_t count = result_.templates.size();
+    planned_ = fitted_ + 2 * (count - 1) * shapes_.size();
+    for (std::size_t a = 0; a < count; ++a) {
+      for (std::size_t b = a + 1; b < count; ++b) {
+        if (!try_merge(a, b)) return false;
+      }
+    }
+    return true;
+  }
+
+  // Of two that did not change yet. False if cancelled.
+  bool try_merge(std::size_t a, std::size_t b) {
+    if (result_.origins[a].changed || result_.origins[b].changed) return true;
+    const auto [indices, members] = members_of(
+        [&](std::size_t i) { return taken_[i].part_template == a || taken_[i].part_template == b; });
+    Sides sides;
+    for (const std::size_t i : indices) {
+      if (is_pinned_to(i, b)) return true;
+      sides.push_back(taken_[i].part_template == b ? 1 : 0);
+    }
+    std::optional<TemplateMerge> merge;
+    if (!merge_templates(result_.templates[a], result_.templates[b], members, sides, fit_options_, options_,
+                         threads_, counted_, merge))
+      return false;
+    if (!merge || merge->gain <= smallest_gain * static_cast<double>(members.judging)) return true;
+    result_.templates[a].part_template = std::move(merge->part_template);
+    // It would only be divided again as it was.
+    const auto judges = std::span(indices).first(members.judging);
+    result_.templates[a].undivided.assign(judges.begin(), judges.end());
+    result_.origins[a].changed = true;
+    for (std::size_t m = 0; m < indices.size(); ++m) taken_[indices[m]] = {a, std::move(merge->seen[m])};
+    return true;
   }
 
   // Those that stay with template `t` whatever it becomes. False if cancelled.

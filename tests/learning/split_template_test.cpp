@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "tests/support/made_shapes.h"
 #include "tests/support/small_collection.h"
@@ -27,6 +29,18 @@ struct Case {
   }
 };
 
+// Whether two divisions are the same but for their numbers.
+bool one_to_one(const Sides& a, const Sides& b) {
+  std::map<std::size_t, std::set<std::size_t>> there;
+  std::map<std::size_t, std::set<std::size_t>> back;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    there[a[i]].insert(b[i]);
+    back[b[i]].insert(a[i]);
+  }
+  const auto single = [](const auto& entry) { return entry.second.size() == 1; };
+  return std::ranges::all_of(there, single) && std::ranges::all_of(back, single);
+}
+
 }  // namespace
 
 TEST_CASE("benches get a template of their own, and no chair takes it") {
@@ -37,11 +51,12 @@ TEST_CASE("benches get a template of their own, and no chair takes it") {
   REQUIRE(split_template(given.parent, given.members(), {}, {}, 2, {}, split));
   REQUIRE(split);
   CHECK(split->gain > 0);
-  CHECK(split->judging_to_child == 6);
-  CHECK(std::all_of(split->to_child.begin() + 1, split->to_child.begin() + 6,
-                    [&](bool side) { return side == split->to_child[0]; }));
-  const PartTemplate& benches = split->to_child[6] ? split->child.part_template : split->parent.part_template;
-  const PartTemplate& chairs = split->to_child[6] ? split->parent.part_template : split->child.part_template;
+  REQUIRE(split->templates.size() == 2);
+  CHECK(std::ranges::count(split->sides, split->sides[0]) == 6);
+  CHECK(std::all_of(split->sides.begin() + 1, split->sides.begin() + 6,
+                    [&](std::size_t side) { return side == split->sides[0]; }));
+  const PartTemplate& benches = split->templates[split->sides[6]].part_template;
+  const PartTemplate& chairs = split->templates[split->sides[0]].part_template;
   CHECK(benches.parts[0].scale.mean.x() > 1.2 * chairs.parts[0].scale.mean.x());
   CHECK(benches.parts.size() == chairs.parts.size());
 }
@@ -50,24 +65,25 @@ TEST_CASE("proposals are divisions that leave enough on both sides, once with ea
   Case given;
   add_chairs(given.shapes, "plain", 6, points);
   add_chairs(given.shapes, "bench", 6, points);
+  add_chairs(given.shapes, "high", 6, points);
   const auto proposals = split_proposals(given.parent, given.members(), {});
   REQUIRE_FALSE(proposals.empty());
+  bool in_three = false;
   for (const SplitProposal& each : proposals) {
-    const auto taken = std::ranges::count(each.to_child, true);
-    CHECK(taken >= 3);
-    CHECK(taken <= 9);
+    REQUIRE(each.sides.size() == 18);
+    in_three |= each.templates.size() == 3;
+    for (std::size_t side = 0; side < each.templates.size(); ++side)
+      CHECK(std::ranges::count(each.sides, side) >= 3);
   }
+  CHECK(in_three);
   // The same division may begin with a child that was stretched, and with one that was estimated.
   for (std::size_t a = 0; a < proposals.size(); ++a) {
-    std::vector<bool> flipped = proposals[a].to_child;
-    flipped.flip();
-    const auto same = std::ranges::count_if(proposals, [&](const SplitProposal& other) {
-      return other.to_child == proposals[a].to_child || other.to_child == flipped;
-    });
+    const auto same = std::ranges::count_if(
+        proposals, [&](const SplitProposal& other) { return one_to_one(proposals[a].sides, other.sides); });
     CHECK(same <= 2);
     for (std::size_t b = a + 1; b < proposals.size(); ++b) {
-      if (proposals[b].to_child == proposals[a].to_child)
-        CHECK_FALSE(proposals[b].child.part_template == proposals[a].child.part_template);
+      if (proposals[b].sides == proposals[a].sides)
+        CHECK_FALSE(proposals[b].templates[1].part_template == proposals[a].templates[1].part_template);
     }
   }
 }

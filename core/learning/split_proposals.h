@@ -1,0 +1,45 @@
+// Where a template might be divided ("Template spawning" of section 4.2).
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/learning/learn_options.h"
+#include "core/learning/sightings.h"
+#include "core/model/part_template.h"
+
+namespace archetype {
+
+struct LearnedTemplate {
+  PartTemplate part_template;
+  PartTemplate initial;  // what learning or its division began with: the prior; has the same parts
+  // The judging shapes, ascending, whose division was tried last and gained too little; empty where none was
+  // tried since the template changed.
+  std::vector<std::size_t> undivided = {};
+};
+
+// Shapes that take a template, with what its fits to them say.
+struct TemplateMembers {
+  std::vector<LearningShape> shapes;
+  std::vector<Sighting> seen;  // one per shape
+  std::size_t judging = 0;     // the first ones decide what is kept
+};
+
+using Sides = std::vector<std::size_t>;  // by member: the template of a division that it takes
+
+// What could become two or three templates.
+struct SplitProposal {
+  Sides sides;
+  std::vector<LearnedTemplate> templates;  // to begin with; the first takes its parent's place
+};
+
+// For shapes whose parts are arranged alike, for shapes that have a part that others lack, for shapes that
+// the template would have to be stretched to as a whole, and for those whose samples lie alike about the
+// vertical axis. Differs from the paper, which clusters the learning set by dissimilarities of the fitted
+// shapes: a chair fits a bench badly, and where its parts have come to lie on one then tells nothing. A
+// division may be proposed twice, with a child that was stretched and with one that was estimated. All are
+// drawn to where their clusters were found, half-way from their parent, in later estimates. Some 20 of them.
+std::vector<SplitProposal> split_proposals(const LearnedTemplate& parent, const TemplateMembers& members,
+                                           const LearnOptions& options);
+
+}  // namespace archetype
