@@ -7,6 +7,7 @@
 #include "render/convert.h"
 #include "render/thumbnails.h"
 #include "ui/heat_map.h"
+#include "ui/picture_marks.h"
 
 namespace archetype {
 namespace {
@@ -137,7 +138,7 @@ void add_correspondences(const InspectContent& content, Scene& scene) {
 
 }  // namespace
 
-ShapeColours inspect_colours(const FitLook& look, InspectColour by) {
+ShapeColours inspect_colours(const FitLook& look, InspectColour by, std::optional<std::size_t> kept) {
   ShapeColours colours;
   const auto heat = [&](std::size_t term, const std::vector<double>& samples) {
     if (!look.element_terms[term].empty())
@@ -160,6 +161,11 @@ ShapeColours inspect_colours(const FitLook& look, InspectColour by) {
       break;
     case InspectColour::smoothness:
       heat(2, look.terms.smoothness);
+      if (kept) {
+        const int part = static_cast<int>(*kept);
+        colours.elements = highlighted_colours(colours.elements, look.element_labels, part);
+        colours.samples = highlighted_colours(colours.samples, look.fit.labels, part);
+      }
       break;
   }
   return colours;

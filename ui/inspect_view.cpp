@@ -54,11 +54,14 @@ InspectContent content_of(const Studio& studio, std::size_t index) {
   return content;
 }
 
-void colour(InspectSide& side, InspectColour by) {
-  if (side.coloured == side.look && side.coloured_by == by) return;
+void colour(const Studio& studio, InspectSide& side) {
+  const InspectColour by = studio.ui.inspect.colour;
+  const auto part = side.look ? inspected_part(studio, *side.look) : std::nullopt;
+  if (side.coloured == side.look && side.coloured_by == by && side.coloured_part == part) return;
   side.coloured = side.look;
   side.coloured_by = by;
-  side.colours = side.look ? inspect_colours(*side.look, by) : ShapeColours{};
+  side.coloured_part = part;
+  side.colours = side.look ? inspect_colours(*side.look, by, part) : ShapeColours{};
 }
 
 void draw_picture(Studio& studio, const PlacedSide& placed) {
@@ -266,7 +269,7 @@ void draw_inspect_view(Studio& studio) {
   const auto has_shape = [&](const PlacedSide& each) { return inspection.side(each.index).shape != nullptr; };
   for (const PlacedSide& each : sides) {
     if (!has_shape(each)) continue;
-    colour(inspection.side(each.index), studio.ui.inspect.colour);
+    colour(studio, inspection.side(each.index));
     follow_mouse(studio, each);
   }
   for (const PlacedSide& each : sides) {

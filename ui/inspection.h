@@ -53,6 +53,7 @@ struct InspectSide {
   ShapeColours colours;
   std::shared_ptr<const FitLook> coloured;
   InspectColour coloured_by = InspectColour::part;
+  std::optional<std::size_t> coloured_part;  // that keeps its colours while others are dimmed
 
   RenderTarget target;
   std::optional<InspectPicture> drawn;

@@ -8,6 +8,7 @@
 #include "render/convert.h"
 #include "render/thumbnails.h"
 #include "ui/heat_map.h"
+#include "ui/picture_marks.h"
 
 namespace archetype {
 namespace {
@@ -172,7 +173,8 @@ std::optional<std::pair<glm::dvec3, glm::dvec3>> shape_extent(const ShapeDisplay
   return std::nullopt;
 }
 
-ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display, SurfaceColour by) {
+ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display, SurfaceColour by,
+                            std::optional<int> kept) {
   ShapeColours colours;
   // While another shape is being loaded the labels may still be those of the one before.
   const std::size_t elements = display.mesh     ? display.mesh->face_count
@@ -194,6 +196,10 @@ ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display, Sur
 
 Scene make_viewport_scene(const ViewportContent& content) {
   Scene scene;
+  if (kept && !heat) {
+    colours.elements = highlighted_colours(colours.elements, fit.element_labels, *kept);
+    colours.samples = highlighted_colours(colours.samples, fit.fit.labels, *kept);
+  }
   scene.backdrop = content.backdrop;
   scene.grid = content.view.ground;
   if (const auto extent = shape_extent(content.display, content.fit))
