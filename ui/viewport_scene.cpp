@@ -77,6 +77,11 @@ void add_average(const ViewportContent& content, Scene& scene) {
   const AverageShape& average = *content.average;
   ScenePoints ghost{.geometry = average.points, .behind = true};
   ghost.colours = content.backdrop == Backdrop::light ? average.over_light : average.over_dark;
+  scene.points.push_back(ghost);
+  // The shape hides most of what is behind it: what stands out of the shape is drawn before it, too.
+  ghost.behind = false;
+  ghost.lit = false;
+  ghost.radius = 0.022F;
   scene.points.push_back(std::move(ghost));
 }
 
@@ -191,15 +196,15 @@ ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display, Sur
     colours.samples = colours_of_labels(fit.fit.labels, of);
   if (samples > 0 && heat && fit.sample_costs.size() == samples)
     colours.samples = heat_colours(std::span(fit.sample_costs));
+  if (kept && !heat) {
+    colours.elements = highlighted_colours(colours.elements, fit.element_labels, *kept);
+    colours.samples = highlighted_colours(colours.samples, fit.fit.labels, *kept);
+  }
   return colours;
 }
 
 Scene make_viewport_scene(const ViewportContent& content) {
   Scene scene;
-  if (kept && !heat) {
-    colours.elements = highlighted_colours(colours.elements, fit.element_labels, *kept);
-    colours.samples = highlighted_colours(colours.samples, fit.fit.labels, *kept);
-  }
   scene.backdrop = content.backdrop;
   scene.grid = content.view.ground;
   if (const auto extent = shape_extent(content.display, content.fit))
