@@ -13,13 +13,22 @@ namespace archetype {
 namespace {
 
 // In distances of neighbouring samples.
-constexpr float reach = 1.9F;      // of the samples that have a say at a place
+constexpr float reach = 2.6F;      // of the samples that have a say at a place
 constexpr float finest = 0.3F;     // side of the triangles that are cut
 constexpr float thickness = 0.3F;  // samples so far above or below the surface are of another sheet
 constexpr float lift = 0.04F;      // of the patch, so that the surface does not hide it
 constexpr std::size_t most_triangles = 60'000;
 
-using Triangle = std::array<glm::vec3, 3>;
+// With the normal of the surface there, smoothed as it is drawn.
+struct Corner {
+  glm::vec3 at;
+  glm::vec3 normal;
+};
+using Triangle = std::array<Corner, 3>;
+
+Corner mix(const Corner& a, const Corner& b, float share) {
+  return {glm::mix(a.at, b.at, share), glm::mix(a.normal, b.normal, share)};
+}
 
 struct Sample {
   glm::vec3 at;
@@ -31,19 +40,18 @@ class Patch {
   Patch(float spacing, MeshGeometry& made) : spacing_(spacing), made_(made) {}
 
   void add(const Triangle& triangle, std::span<const Sample> samples) {
-    const glm::vec3 across = glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+    const glm::vec3 across = glm::cross(triangle[1].at - triangle[0].at, triangle[2].at - triangle[0].at);
     const float area = glm::length(across);
     if (!(area > 0) || !std::isfinite(area)) return;
-    normal_ = across / area;
     visit(triangle, samples, 0);
   }
 
  private:
   // Only where something is painted, down to triangles that are small beside the brush.
   void visit(const Triangle& t, std::span<const Sample> samples, int depth) {
-    const glm::vec3 middle = (t[0] + t[1] + t[2]) / 3.F;
+    const glm::vec3 middle = (t[0].at + t[1].at + t[2].at) / 3.F;
     float radius = 0;
-    for (const glm::vec3& corner : t) radius = std::max(radius, glm::distance(corner, middle));
+    for (const Corner& corner : t) radius = std::max(radius, glm::distance(corner.at, middle));
     std::vector<Sample> near;
     for (const Sample& sample : samples)
       if (glm::distance(sample.at, middle) < radius + reach * spacing_) near.push_back(sample);
@@ -57,27 +65,27 @@ class Patch {
       cut(t, near);
       return;
     }
-    const glm::vec3 half = (t[longest] + t[(longest + 1) % 3]) / 2.F;
-    const glm::vec3 opposite = t[(longest + 2) % 3];
+    const Corner half = mix(t[longest], t[(longest + 1) % 3], 0.5F);
+    const Corner& opposite = t[(longest + 2) % 3];
     visit({t[longest], half, opposite}, near, depth + 1);
     visit({half, t[(longest + 1) % 3], opposite}, near, depth + 1);
   }
 
   static float length_of(const Triangle& t, std::size_t side) {
-    return glm::distance(t[side], t[(side + 1) % 3]);
+    return glm::distance(t[side].at, t[(side + 1) % 3].at);
   }
 
   // Above 0 where most of the samples nearby are painted, the nearest counting most.
-  float excess(const glm::vec3& at, std::span<const Sample> samples) const {
+  float excess(const Corner& corner, std::span<const Sample> samples) const {
     const float far = reach * spacing_;
     const float sheet = thickness * spacing_;
     float all = 0;
     float painted = 0;
     for (const Sample& sample : samples) {
-      const glm::vec3 away = sample.at - at;
+      const glm::vec3 away = sample.at - corner.at;
       const float square = glm::dot(away, away) / (far * far);
       if (square >= 1) continue;
-      const float off = glm::dot(away, normal_) / sheet;
+      const float off = glm::dot(away, corner.normal) / sheet;
       const float weight = (1 - square) * (1 - square) * std::exp(-off * off / 2);
       all += weight;
       painted += sample.painted ? weight : 0;
@@ -88,35 +96,34 @@ class Patch {
   void cut(const Triangle& t, std::span<const Sample> samples) {
     std::array<float, 3> values{};
     for (std::size_t i = 0; i < 3; ++i) values[i] = excess(t[i], samples);
-    std::vector<glm::vec3> kept;
+    std::vector<Corner> kept;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t next = (i + 1) % 3;
       if (values[i] > 0) kept.push_back(t[i]);
       if ((values[i] > 0) == (values[next] > 0)) continue;
-      kept.push_back(glm::mix(t[i], t[next], values[i] / (values[i] - values[next])));
+      kept.push_back(mix(t[i], t[next], values[i] / (values[i] - values[next])));
     }
     for (std::size_t i = 2; i < kept.size(); ++i)
       for (const float side : {1.F, -1.F}) emit({kept[0], kept[i - 1], kept[i]}, side);
   }
 
   void emit(const Triangle& t, float side) {
-    for (const glm::vec3& corner : t) {
-      made_.positions.push_back(corner + side * lift * spacing_ * normal_);
-      made_.normals.push_back(side * normal_);
+    for (const Corner& corner : t) {
+      made_.positions.push_back(corner.at + side * lift * spacing_ * corner.normal);
+      made_.normals.push_back(side * corner.normal);
       made_.edge_distances.emplace_back(255, 255, 255, 0);
     }
     made_.faces.push_back(0);
   }
 
   float spacing_;
-  glm::vec3 normal_{0};
   MeshGeometry& made_;
 };
 
 // The bounds of what is painted, and as far as it has a say.
 bool overlaps(const Triangle& t, const glm::vec3& low, const glm::vec3& high) {
-  const glm::vec3 least = glm::min(t[0], glm::min(t[1], t[2]));
-  const glm::vec3 most = glm::max(t[0], glm::max(t[1], t[2]));
+  const glm::vec3 least = glm::min(t[0].at, glm::min(t[1].at, t[2].at));
+  const glm::vec3 most = glm::max(t[0].at, glm::max(t[1].at, t[2].at));
   return glm::all(glm::lessThanEqual(least, high)) && glm::all(glm::greaterThanEqual(most, low));
 }
 
@@ -139,7 +146,8 @@ std::shared_ptr<const MeshGeometry> patch_of(const MeshGeometry& mesh, const Poi
   auto made = std::make_shared<MeshGeometry>();
   Patch patch(points.spacing, *made);
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
-    const Triangle triangle{mesh.positions[3 * i], mesh.positions[3 * i + 1], mesh.positions[3 * i + 2]};
+    Triangle triangle;
+    for (std::size_t k = 0; k < 3; ++k) triangle[k] = {mesh.positions[3 * i + k], mesh.normals[3 * i + k]};
     if (overlaps(triangle, low - more, high + more)) patch.add(triangle, samples);
   }
   made->face_count = 1;
