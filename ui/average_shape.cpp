@@ -13,11 +13,12 @@ namespace archetype {
 namespace {
 
 constexpr double cell = 0.1;  // normalised units: about the distance of neighbouring samples
-constexpr double least_share = 0.2;
-constexpr Rgb dark_backdrop{40, 42, 46};
-constexpr Rgb dark_ink{150, 160, 176};
-constexpr Rgb light_backdrop{233, 236, 240};
-constexpr Rgb light_ink{120, 130, 148};
+constexpr double least_share = 0.1;
+// A violet that no part has, as far from the backdrop as it can be.
+constexpr Rgb dark_faint{74, 66, 92};
+constexpr Rgb dark_ink{224, 204, 255};
+constexpr Rgb light_faint{206, 198, 222};
+constexpr Rgb light_ink{92, 58, 150};
 
 struct Cell {
   Vec3 sum = Vec3::Zero();
@@ -57,12 +58,14 @@ AverageShape drawn(const Cells& cells, std::size_t shapes) {
   auto points = std::make_shared<PointGeometry>();
   auto over_dark = std::make_shared<Colours>();
   auto over_light = std::make_shared<Colours>();
+  const double most = kept.empty() ? 1 : static_cast<double>(kept.back()->shapes);
   for (const Cell* each : kept) {
     points->positions.emplace_back(to_glm(Vec3(each->sum / static_cast<double>(each->samples))));
-    // A root, or what half of them have would hardly be seen.
-    const double share = std::sqrt(static_cast<double>(each->shapes) / static_cast<double>(shapes));
-    over_dark->push_back(mixed(dark_backdrop, dark_ink, share));
-    over_light->push_back(mixed(light_backdrop, light_ink, share));
+    // Of what the most of them have, or shapes of many kinds would leave a faint cloud; and a root, or what
+    // half as many have would hardly be seen.
+    const double share = std::sqrt(static_cast<double>(each->shapes) / most);
+    over_dark->push_back(mixed(dark_faint, dark_ink, share));
+    over_light->push_back(mixed(light_faint, light_ink, share));
   }
   points->spacing = static_cast<float>(cell);
   return {points, over_dark, over_light, shapes, 0};

@@ -29,7 +29,7 @@ struct AverageShape {
 // At most this many shapes are read; of more, as many drawn at random.
 inline constexpr std::size_t most_averaged_shapes = 100;
 
-// What the worker runs: the places where at least a fifth of the shapes have samples, as they stand in the
+// What the worker runs: the places where at least a tenth of the shapes have samples, as they stand in the
 // template's frame where they are fitted, else as they are. About 2 ms a shape. Nothing if cancelled, or
 // without shapes.
 std::optional<AverageShape> make_average_shape(const AverageRequest& request, const JobControl& control);

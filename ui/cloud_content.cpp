@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "ui/heat_map.h"
+#include "ui/picture_marks.h"
 
 namespace archetype {
 namespace {
@@ -74,14 +75,6 @@ Rgb colour_of_shape(std::size_t number) {
     return static_cast<std::uint8_t>(std::lround(255 * light * (0.3 + 0.7 * level)));
   };
   return {channel(0), channel(4), channel(2)};
-}
-
-// Grey on either ground, with a trace of its colour.
-Rgb dimmed(const Rgb& colour) {
-  Rgb result;
-  for (std::size_t k = 0; k < result.size(); ++k)
-    result[k] = static_cast<std::uint8_t>((colour[k] + 5 * 128) / 6);
-  return result;
 }
 
 }  // namespace

@@ -127,21 +127,12 @@ std::string counts(const Studio& studio) {
 
 void draw_captions(Studio& studio, const CloudPane& pane) {
   const Sharpness& sharpness = studio.cloud.content->sharpness;
-  const bool pair = studio.ui.cloud.pair;
-  const bool rigid = pair ? pane.index == 0 : pane.blend <= 0;
-  std::string title = rigid ? "Rigid" : pair || pane.blend >= 1 ? "Deformed" : "Between rigid and deformed";
-  // Of the two ends; between them there is no such number.
-  if (rigid) title += "   " + number(sharpness.mean_rigid());
-  if (!rigid && (pair || pane.blend >= 1)) {
-    title += "   " + number(sharpness.mean_deformed());
-    if (sharpness.deformed > 0) title += ", " + factor(sharpness.rigid / sharpness.deformed) + " times less";
-  }
-  const bool at_end = pair || pane.blend <= 0 || pane.blend >= 1;
-  const std::string meaning = at_end ? "mean squared distance to the canonical place" : "";
-  if (pane.index == 0)
-    draw_caption(studio, pane, title, meaning, counts(studio));
-  else
-    draw_caption(studio, pane, title, meaning, "");
+  const double mean = sharpness.mean_at(static_cast<double>(pane.blend));
+  std::string title = pane.blend <= 0 ? "Rigid" : pane.blend >= 1 ? "Deformed" : "Between rigid and deformed";
+  title += "   " + number(mean);
+  if (pane.blend > 0 && mean > 0) title += ", " + factor(sharpness.mean_rigid() / mean) + " times less";
+  draw_caption(studio, pane, title, "mean squared distance to the canonical place",
+               pane.index == 0 ? counts(studio) : "");
 }
 
 void draw_legend(Studio& studio, const CloudPane& pane) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/session/cluster_size.h"
 #include "ui/panels.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
@@ -18,15 +19,15 @@ struct Choice {
 };
 
 std::vector<Choice> choices(Studio& studio) {
-  std::map<TemplateId, std::size_t> members;
+  std::map<TemplateId, ClusterSize> members;
   for (const ShapeRow& row : studio.collection.rows())
-    if (row.fit) ++members[row.fit->part_template];
+    if (row.fit) members[row.fit->part_template].add(row.fit->status);
   std::vector<Choice> all{{CloudScope::collection, 0, "Whole collection"}};
   if (const auto table = use_fit_table(studio))
     for (const TemplateRecord& record : table->templates)
-      if (const std::size_t count = members[record.id])
+      if (const ClusterSize size = members[record.id]; size != ClusterSize{})
         all.push_back(
-            {CloudScope::cluster, record.id, record.part_template.name + " (" + count_text(count) + ")"});
+            {CloudScope::cluster, record.id, record.part_template.name + " (" + to_string(size) + ")"});
   all.push_back(
       {CloudScope::selection, 0, "Selected shapes (" + count_text(studio.ui.selection.shapes.size()) + ")"});
   return all;

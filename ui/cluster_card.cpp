@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/model/part_colours.h"
 #include "core/report/box_faces.h"
+#include "core/session/cluster_size.h"
 #include "ui/clusters_view.h"
 #include "ui/icons.h"
 #include "ui/learning_actions.h"
@@ -26,7 +27,7 @@ std::string number(double value) {
 }
 
 std::string count_of(const ShapeCluster& cluster) {
-  const std::string all = count_text(cluster.all) + (cluster.all == 1 ? " shape" : " shapes");
+  const std::string all = to_string(ClusterSize{cluster.all, cluster.outliers});
   return cluster.shown.size() == cluster.all ? all : count_text(cluster.shown.size()) + " of " + all;
 }
 

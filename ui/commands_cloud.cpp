@@ -33,9 +33,9 @@ void show_scope(Studio& studio, Arguments arguments) {
     cloud.scope = what == "collection" ? CloudScope::collection : CloudScope::selection;
     return;
   }
-  const auto table = studio.fit_tables.newest.table;  // use_fit_table() is for panels
-  if (table)
-    for (const TemplateRecord& record : table->templates)
+  // Not of the table of fits, which is there only once a panel has asked for it: a few milliseconds.
+  if (studio.collection.open())
+    for (const TemplateRecord& record : Project::open(studio.collection.path).templates())
       if (record.part_template.name == what) {
         cloud.scope = CloudScope::cluster;
         cloud.cluster = record.id;

@@ -15,14 +15,21 @@ namespace {
 
 using MakeFigure = std::optional<Picture> (*)(const FigureRequest&, const JobControl&);
 
-std::vector<ShapeId> no_shapes(const Studio&) {
-  return {};
+void want_nothing_more(const Studio&, FigureRequest&) {}
+
+// What the view of the clouds shows, whether or not it is in sight.
+void want_cloud(const Studio& studio, FigureRequest& request) {
+  const CloudChoice& cloud = studio.ui.cloud;
+  CloudShapes wanted = wanted_shapes(studio);
+  request.shapes = std::move(wanted.shapes);
+  request.outliers = wanted.outliers;
+  request.cloud_colour = cloud.colour;
+  if (cloud.scope == CloudScope::collection) request.cloud_of = studio.collection.title;
+  if (cloud.scope == CloudScope::selection) request.cloud_of = "Selected shapes";
 }
-std::vector<ShapeId> cloud_shapes(const Studio& studio) {
-  return wanted_shapes(studio).shapes;
-}
-std::vector<ShapeId> shape_in_view(const Studio& studio) {
-  return studio.ui.shape ? std::vector{*studio.ui.shape} : std::vector<ShapeId>{};
+
+void want_shape_in_view(const Studio& studio, FigureRequest& request) {
+  if (studio.ui.shape) request.shapes = {*studio.ui.shape};
 }
 
 // FILE [WIDTH] [transparent]
@@ -40,7 +47,7 @@ FigureOptions figure_options(Arguments arguments) {
   return options;
 }
 
-template <MakeFigure make, std::vector<ShapeId> (*shapes)(const Studio&)>
+template <MakeFigure make, void (*want)(const Studio&, FigureRequest&) = want_nothing_more>
 void figure(Studio& studio, Arguments arguments, const char* command, const char* title) {
   if (arguments.empty()) {
     browse(studio, {.command = command,
@@ -53,8 +60,11 @@ void figure(Studio& studio, Arguments arguments, const char* command, const char
   }
   std::filesystem::path file = arguments[0];
   if (file.empty()) throw Error("expected a file");
-  FigureRequest request{
-      studio.collection.path, studio.options.shaders, figure_options(arguments), shapes(studio), {}};
+  FigureRequest request;
+  request.project = studio.collection.path;
+  request.shaders = studio.options.shaders;
+  request.options = figure_options(arguments);
+  want(studio, request);
   for (const auto& part_template : studio.history.committed().templates)
     request.templates.push_back(*part_template);
   studio.jobs.start("Figure " + file.filename().string(),
@@ -69,24 +79,23 @@ void figure(Studio& studio, Arguments arguments, const char* command, const char
 }
 
 void templates_command(Studio& studio, Arguments arguments) {
-  figure<templates_figure, no_shapes>(studio, arguments, "figure-templates", "Figure of the templates");
+  figure<templates_figure>(studio, arguments, "figure-templates", "Figure of the templates");
 }
 void clusters_command(Studio& studio, Arguments arguments) {
-  figure<clusters_figure, no_shapes>(studio, arguments, "figure-clusters", "Figure of the clusters");
+  figure<clusters_figure>(studio, arguments, "figure-clusters", "Figure of the clusters");
 }
 void members_command(Studio& studio, Arguments arguments) {
-  figure<members_figure, no_shapes>(studio, arguments, "figure-members",
-                                    "Figure of the clusters with all members");
+  figure<members_figure>(studio, arguments, "figure-members", "Figure of the clusters with all members");
 }
 void starts_command(Studio& studio, Arguments arguments) {
-  figure<starts_figure, no_shapes>(studio, arguments, "figure-starts", "Figure of several starts");
+  figure<starts_figure>(studio, arguments, "figure-starts", "Figure of several starts");
 }
 void coalignment_command(Studio& studio, Arguments arguments) {
-  figure<coalignment_figure, cloud_shapes>(studio, arguments, "figure-coalignment",
-                                           "Figure of the co-aligned points");
+  figure<coalignment_figure, want_cloud>(studio, arguments, "figure-coalignment",
+                                         "Figure of the co-aligned points");
 }
 void fit_command(Studio& studio, Arguments arguments) {
-  figure<fit_figure, shape_in_view>(studio, arguments, "figure-fit", "Figure of the fit in view");
+  figure<fit_figure, want_shape_in_view>(studio, arguments, "figure-fit", "Figure of the fit in view");
 }
 
 // FILE [LABELS_DIR]

@@ -37,6 +37,7 @@ struct ExplorerSelection {
   // `part` and the editor's part when they were brought in line last: see linked_part.h.
   std::optional<PartOfTemplate> linked;
   std::optional<std::size_t> linked_edited;
+  bool part_of_editor = false;  // `part` came of the editor's, not the other way round
 };
 
 bool is_selected(const ExplorerSelection& selection, ShapeId shape);

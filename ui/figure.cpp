@@ -60,6 +60,22 @@ bool FigurePage::draw_scene(const Scene& scene, const Camera& camera, double lef
   return true;
 }
 
+void FigurePage::fill(double left, double top, double width, double height, const Rgb& colour) {
+  const int right = std::min(pixels(left + width), picture_.width);
+  const int bottom = std::min(pixels(top + height), picture_.height);
+  for (int y = std::max(pixels(top), 0); y < bottom; ++y)
+    for (int x = std::max(pixels(left), 0); x < right; ++x) {
+      std::uint8_t* const pixel = &picture_.pixels[4 * static_cast<std::size_t>(y * picture_.width + x)];
+      std::copy(colour.begin(), colour.end(), pixel);
+      pixel[3] = 255;
+    }
+}
+
+double FigurePage::width_of(const std::string& text, double size) const {
+  const double unit = options_.width / 1000.0;
+  return static_cast<double>(plain_.width(text, static_cast<float>(size * unit))) / unit;
+}
+
 void FigurePage::write(const std::string& text, double left, double top, double size, Style style,
                        double most_width) {
   const Lettering& lettering = style == Style::bold ? bold_ : plain_;

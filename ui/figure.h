@@ -11,6 +11,7 @@
 #include "render/gl/headless_context.h"
 #include "render/lettering.h"
 #include "render/renderer.h"
+#include "ui/cloud_choice.h"
 
 namespace archetype {
 
@@ -31,6 +32,10 @@ struct FigureRequest {
   FigureOptions options;
   std::vector<ShapeId> shapes;          // that it shows, or whose points it does
   std::vector<PartTemplate> templates;  // where the project has none of its own
+  // Of co-aligned points: what they are coloured by, and of what they are: a template, the selection, …
+  CloudColour cloud_colour = CloudColour::part;
+  std::string cloud_of;
+  std::size_t outliers = 0;  // that were left out
 };
 
 // A page that grows row by row, and what draws on it. Lengths are in units of which the page has 1,000 in
@@ -48,6 +53,9 @@ class FigurePage {
   enum class Style { plain, bold, muted };
   void write(const std::string& text, double left, double top, double size, Style style = Style::plain,
              double most_width = 1000);
+  void fill(double left, double top, double width, double height, const Rgb& colour);
+  // How wide the text is that write() writes.
+  double width_of(const std::string& text, double size) const;
   // Of a scene drawn into a rectangle, for the camera.
   Viewport viewport(double width, double height) const;
   const Picture& picture() const { return picture_; }
@@ -74,7 +82,7 @@ std::optional<Picture> clusters_figure(const FigureRequest& request, const JobCo
 std::optional<Picture> members_figure(const FigureRequest& request, const JobControl& control);
 // Templates that learning began with, above those that it ended with (measure_starts.h).
 std::optional<Picture> starts_figure(const FigureRequest& request, const JobControl& control);
-// All points of request.shapes: rigid beside deformed.
+// All points of request.shapes: rigid beside deformed, in the colours of the view, with how sharp they are.
 std::optional<Picture> coalignment_figure(const FigureRequest& request, const JobControl& control);
 // The fit of the first of request.shapes: shape, parts, boxes and correspondences.
 std::optional<Picture> fit_figure(const FigureRequest& request, const JobControl& control);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/session/cluster_size.h"
 #include "core/session/measure_starts.h"
 #include "ui/figure.h"
 #include "ui/figure_scenes.h"
@@ -20,6 +21,7 @@ constexpr double small_text = 11;
 struct Cluster {
   std::shared_ptr<const PartTemplate> part_template;
   std::vector<FitSummary> members;  // best first
+  ClusterSize size;
 };
 
 // The current templates in their order, then others that fits still have.
@@ -38,6 +40,7 @@ std::vector<Cluster> clusters_of(const Project& project, const std::vector<PartT
     cluster.part_template = std::make_shared<const PartTemplate>(record.part_template);
     for (const FitSummary& fit : fits) {
       if (fit.part_template != record.id) continue;
+      cluster.size.add(fit.status);
       const bool outlier = outliers && fit.status == FitStatus::outlier;
       (outlier ? *outliers : cluster.members).push_back(fit);
     }
@@ -45,7 +48,7 @@ std::vector<Cluster> clusters_of(const Project& project, const std::vector<PartT
   }
   if (clusters.empty())
     for (const PartTemplate& part_template : otherwise)
-      clusters.push_back({std::make_shared<const PartTemplate>(part_template), {}});
+      clusters.push_back({std::make_shared<const PartTemplate>(part_template), {}, {}});
   if (outliers)
     std::ranges::stable_sort(*outliers, {}, [](const FitSummary& f) { return -f.energy.total(); });
   std::erase_if(clusters, [](const Cluster& c) { return c.part_template->parts.empty(); });
@@ -54,7 +57,7 @@ std::vector<Cluster> clusters_of(const Project& project, const std::vector<PartT
 
 std::string about(const Cluster& cluster) {
   std::string line = plural(cluster.part_template->parts.size(), "part");
-  if (!cluster.members.empty()) line += ", " + plural(cluster.members.size(), "shape");
+  if (cluster.size != ClusterSize{}) line += ", " + to_string(cluster.size);
   return line;
 }
 

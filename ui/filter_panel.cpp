@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/session/cluster_size.h"
 #include "ui/histogram_plot.h"
 #include "ui/icons.h"
 #include "ui/order_menu.h"
@@ -54,11 +55,12 @@ void draw_templates(Studio& studio, const FitTable& table) {
   Chips chips(studio, "Template");
   auto& hidden = studio.ui.shown.filter.hidden_templates;
   for (const TemplateRecord& record : table.templates) {
-    const std::size_t count = count_rows(
-        studio, [&](const ShapeRow& row) { return row.fit && row.fit->part_template == record.id; });
+    ClusterSize size;
+    for (const ShapeRow& row : studio.collection.rows())
+      if (row.fit && row.fit->part_template == record.id) size.add(row.fit->status);
     const bool on = std::ranges::find(hidden, record.id) == hidden.end();
     const std::string target = "filter-template:" + std::to_string(record.id);
-    if (chips.chip(target, record.part_template.name + "  ·  " + count_text(count), on))
+    if (chips.chip(target, record.part_template.name + "  ·  " + to_string(size), on))
       toggle_hidden(hidden, record.id);
     tooltip(on ? "Shown: click to hide its shapes" : "Hidden: click to show its shapes");
   }

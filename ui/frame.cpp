@@ -168,6 +168,24 @@ void draw_inspector(Studio& studio) {
   draw_fit_panel(studio);
 }
 
+// What stands over the panels: while one is open, they tell nothing of what the mouse happens to rest on,
+// which would be drawn over it.
+bool stands_over_panels(const Studio& studio) {
+  const UiState& ui = studio.ui;
+  return ui.browser.open || ui.show_suggestions || ui.help || ui.about || ui.palette.open ||
+         offers_recovery(studio) || asks_to_close(studio);
+}
+
+// Of the panels drawn so far in this frame, as Dear ImGui itself hides one tooltip for the next.
+void hide_tooltips() {
+  for (ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+    if (!(window->Flags & ImGuiWindowFlags_Tooltip) || !window->Active) continue;
+    window->Hidden = true;
+    window->HiddenFramesCanSkipItems = 1;
+  }
+  ++ImGui::GetCurrentContext()->TooltipOverrideCount;  // that of a window above is another one
+}
+
 // Esc while a number is dragged: Dear ImGui has to let go of it too, or the next movement would drag on.
 void let_go(Studio& studio) {
   if (std::exchange(studio.ui.cancel_drag, false)) ImGui::ClearActiveID();
@@ -216,6 +234,7 @@ void draw_frame(Studio& studio) {
   ImGui::End();
   ImGui::PopStyleVar();
 
+  if (stands_over_panels(studio)) hide_tooltips();
   draw_file_browser(studio);
   draw_suggestions_window(studio);
   draw_help_window(studio);

@@ -1,6 +1,7 @@
 #include "ui/inspect_brush.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
 
@@ -62,17 +63,35 @@ std::vector<std::uint32_t> seen_samples(const InspectContent& content, const Cam
   return seen;
 }
 
+std::vector<glm::dvec2> way_of_brush(const glm::dvec2& cursor, const glm::dvec2& moved, double radius) {
+  constexpr double step_in_radii = 0.25;  // a stripe of such discs is a hundredth of its width out of true
+  constexpr double least_step = 2;        // pixels
+  constexpr int most_steps = 48;          // of a frame
+  const double length = glm::length(moved);
+  const double steps = std::ceil(length / std::max(least_step, step_in_radii * radius));
+  const int count = static_cast<int>(std::clamp(steps, 1.0, static_cast<double>(most_steps)));
+  std::vector<glm::dvec2> way;
+  for (int i = 1; i <= count; ++i) way.push_back(cursor - moved * (1 - static_cast<double>(i) / count));
+  return way;
+}
+
 void paint(Studio& studio, const InspectContent& content, const Viewport& viewport,
-           const std::optional<InspectedPlace>& at) {
+           std::span<const InspectedPlace> way) {
   Inspection& inspection = studio.inspection;
   if (!inspection.main.shape || (inspection.stroke_previewed && !studio.history.has_preview())) {
     drop_stroke(inspection);
     return;
   }
-  if (!at || at->side != 0) return;
-  std::vector<std::uint32_t> under =
-      under_brush(*inspection.main.shape->samples, at->point, studio.ui.inspect.brush_radius);
-  if (under.empty()) under.push_back(at->sample);  // a small brush between the samples
+  std::vector<std::uint32_t> under;
+  for (const InspectedPlace& at : way) {
+    const std::vector<std::uint32_t> touched =
+        under_brush(*inspection.main.shape->samples, at.point, studio.ui.inspect.brush_radius);
+    under.insert(under.end(), touched.begin(), touched.end());
+    if (touched.empty()) under.push_back(at.sample);  // a small brush between the samples
+  }
+  std::ranges::sort(under);
+  const auto doubles = std::ranges::unique(under);
+  under.erase(doubles.begin(), doubles.end());
   std::vector<std::uint32_t> more;
   std::ranges::set_difference(under, inspection.stroke, std::back_inserter(more));
   const std::vector<std::uint32_t> touched = seen_samples(content, inspection.camera, viewport, more);

@@ -1,6 +1,8 @@
 // Painting parts onto the shape in view: what the brush touches is pinned, a stroke is one step.
 #pragma once
 
+#include <span>
+
 #include "ui/inspect_scene.h"
 
 namespace archetype {
@@ -12,10 +14,14 @@ std::vector<std::uint32_t> under_brush(const ShapeSamples& samples, const Vec3& 
 std::vector<std::uint32_t> seen_samples(const InspectContent& content, const Camera& camera,
                                         const Viewport& viewport, const std::vector<std::uint32_t>& samples);
 
-// Goes on with a stroke: `at` is what the mouse points at on what is shown. Only what is seen is painted. A
-// stroke whose preview was dropped, by Esc or undo, ends.
+// Where a stroke is painted on its way from where the mouse was in the frame before, `moved` pixels ago: so
+// close that it has no gaps and no notches, however quick the hand is. The last is where the mouse is.
+std::vector<glm::dvec2> way_of_brush(const glm::dvec2& cursor, const glm::dvec2& moved, double radius);
+
+// Goes on with a stroke: `way` is what the mouse has pointed at on the shape since the last frame. Only what
+// is seen is painted. A stroke whose preview was dropped, by Esc or undo, ends.
 void paint(Studio& studio, const InspectContent& content, const Viewport& viewport,
-           const std::optional<InspectedPlace>& at);
+           std::span<const InspectedPlace> way);
 // The button was let go.
 void end_stroke(Studio& studio);
 

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "core/fitting/energy.h"
@@ -28,6 +29,36 @@ void choose(Studio& studio, std::optional<ChosenAlternative> alternative) {
   studio.ui.inspect.step.reset();
 }
 
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f", value);
+  return text;
+}
+
+std::string name_of(const Alternatives& all, const FitAlternative& alternative) {
+  return all.templates[alternative.part_template]->name + " at " +
+         std::to_string(alternative.fit.yaw_quarters * 90) + "°";
+}
+
+std::string sum_of(const Alternatives& all, const FitAlternative& alternative,
+                   const ShapeCorrection& correction, bool is_stored) {
+  const double energy = alternative.fit.energy.total();
+  const double decides = deciding_energy(all, alternative, correction);
+  std::string text = name_of(all, alternative);
+  if (energy >= missing_must_exist_energy) {
+    text += ": a part that must exist was not found";
+  } else {
+    text += "\nenergy of the fit  " + number(energy) + "\nspreads of the template  " +
+            number(alternative.choice - energy);
+    if (!std::isfinite(decides))
+      text += "\nother shapes are so clearly against this yaw that it is not tried";
+    else if (all.yaw_costs && !correction.yaw_quarters)
+      text += "\nother shapes on this yaw  " + number(decides - alternative.choice);
+    if (std::isfinite(decides)) text += "\ndecides  " + number(decides);
+  }
+  return text + (is_stored ? "\nThis is the fit of the project." : "\nClick to see it.");
+}
+
 void draw_alternative(Studio& studio, const Alternatives& all, std::size_t part_template, int yaw) {
   const TemplateRecord& record = all.of.shape->templates[part_template];
   const ChosenAlternative which{record.id, yaw};
@@ -41,29 +72,36 @@ void draw_alternative(Studio& studio, const Alternatives& all, std::size_t part_
       stored && which == ChosenAlternative{stored->part_template, stored->fit.yaw_quarters};
   const auto shown = shown_alternative(studio);
   const bool is_shown = shown ? *shown == which : is_stored;
-  double energy = found->fit.energy.total();
+  const ShapeCorrection correction = correction_in_view(studio);
+  const double energy = found->fit.energy.total();
+  const double decides = deciding_energy(all, *found, correction);
   const bool lacks = energy >= missing_must_exist_energy;
-  char text[64];
-  if (lacks)
-    std::snprintf(text, sizeof text, "lacks");
-  else
-    std::snprintf(text, sizeof text, "%.3f", energy);
-  std::string label = text;
-  if (is_pinned(correction_in_view(studio), record.part_template.name, yaw))
-    label = std::string(icon::check) + label;
+  std::string label = lacks ? "lacks" : number(std::isfinite(decides) ? decides : found->choice);
+  if (is_pinned(correction, record.part_template.name, yaw)) label = std::string(icon::check) + label;
   ImGui::PushID(static_cast<int>(part_template) * 4 + yaw);
-  if (is_stored) ImGui::PushStyleColor(ImGuiCol_Text, colours(studio).accent);
+  const Palette& p = colours(studio);
+  ImGui::PushStyleColor(ImGuiCol_Text, is_stored ? p.accent : std::isfinite(decides) ? p.text : p.muted);
   if (ImGui::Selectable(label.c_str(), is_shown))
     choose(studio, is_stored && !coming_fit(studio) ? std::nullopt : std::optional(which));
-  if (is_stored) ImGui::PopStyleColor();
+  ImGui::PopStyleColor();
   mark_target(studio, "alternative:" + record.part_template.name + ":" + std::to_string(yaw * 90));
-  char hint[200];
-  std::snprintf(hint, sizeof hint, "%s at %d°: energy %.4f, %.4f where templates are compared%s%s",
-                record.part_template.name.c_str(), yaw * 90, energy, found->choice,
-                lacks ? "; a part that must exist was not found" : "",
-                is_stored ? ". This is the fit of the project." : ". Click to see it.");
-  tooltip(hint);
+  tooltip(sum_of(all, *found, correction, is_stored).c_str());
   ImGui::PopID();
+}
+
+// The table, in words.
+void draw_decision(Studio& studio, const Alternatives& all) {
+  const bool some_ruled_out = std::ranges::any_of(all.fits, [&](const FitAlternative& each) {
+    return !std::isfinite(deciding_energy(all, each, correction_in_view(studio)));
+  });
+  muted_text(studio, some_ruled_out ? "The least decides; other shapes rule the grey ones out."
+                                    : "The least decides.");
+  tooltip(
+      "The energy of the fit, with what the spreads of its template cost (a template that expects nothing in "
+      "particular would fit every shape), and what other shapes say of the yaw. Point at a number to see its "
+      "sum.");
+  if (const std::string why = why_decided(all, correction_in_view(studio)); !why.empty())
+    muted_paragraph(studio, why.c_str());
 }
 
 void draw_alternatives(Studio& studio) {
@@ -97,6 +135,7 @@ void draw_alternatives(Studio& studio) {
     }
     ImGui::EndTable();
   }
+  draw_decision(studio, *all);
   ImGui::Dummy({0, 2 * scale});
   command_button(studio, "pin-shown", std::string(icon::check) + "  Pin what is shown",
                  {share_of_width(2), 0});

@@ -7,6 +7,8 @@
 #include "render/convert.h"
 #include "render/thumbnails.h"
 #include "ui/heat_map.h"
+#include "ui/painted_surface.h"
+#include "ui/picture_marks.h"
 
 namespace archetype {
 namespace {
@@ -55,9 +57,17 @@ void add_shape(const InspectContent& content, Scene& scene) {
   }
 }
 
-// A ball for each, larger than a sample: in the colour of the part that it was given.
+// What was painted, in the colours of the parts that it was given: smooth on a surface; on a point set a ball
+// for each sample, larger than it.
 void add_pinned(const InspectContent& content, Scene& scene) {
   if (content.pinned.empty() || !content.look || !content.shape->display.samples) return;
+  if (const auto& mesh = content.shape->display.mesh) {
+    for (PaintedPatch& patch : painted_patches(*mesh, *content.shape->display.samples, content.pinned))
+      scene.meshes.push_back({.geometry = std::move(patch.geometry),
+                              .colour = part_colour(*content.look->part_template, patch.label),
+                              .transform = to_scene(content.look.get())});
+    return;
+  }
   auto geometry = std::make_shared<PointGeometry>();
   auto colours = std::make_shared<Colours>();
   const PointGeometry& samples = *content.shape->display.samples;
@@ -137,7 +147,7 @@ void add_correspondences(const InspectContent& content, Scene& scene) {
 
 }  // namespace
 
-ShapeColours inspect_colours(const FitLook& look, InspectColour by) {
+ShapeColours inspect_colours(const FitLook& look, InspectColour by, std::optional<std::size_t> kept) {
   ShapeColours colours;
   const auto heat = [&](std::size_t term, const std::vector<double>& samples) {
     if (!look.element_terms[term].empty())
@@ -151,6 +161,11 @@ ShapeColours inspect_colours(const FitLook& look, InspectColour by) {
       if (!look.element_labels.empty())
         colours.elements = colours_of_labels(look.element_labels, look.part_template.get());
       colours.samples = colours_of_labels(look.fit.labels, look.part_template.get());
+      if (kept) {
+        const int part = static_cast<int>(*kept);
+        colours.elements = highlighted_colours(colours.elements, look.element_labels, part);
+        colours.samples = highlighted_colours(colours.samples, look.fit.labels, part);
+      }
       break;
     case InspectColour::shape_to_template:
       heat(0, look.terms.shape_to_template);

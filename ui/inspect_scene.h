@@ -15,8 +15,10 @@ struct InspectContent {
   Backdrop backdrop = Backdrop::dark;
 };
 
-// Of surface and samples; null where the fit has none, or the colour is plain.
-ShapeColours inspect_colours(const FitLook& look, InspectColour by);
+// Of surface and samples; null where the fit has none, or the colour is plain. By part, `kept` keeps its
+// colours while all others are dimmed.
+ShapeColours inspect_colours(const FitLook& look, InspectColour by,
+                             std::optional<std::size_t> kept = std::nullopt);
 Scene make_inspect_scene(const InspectContent& content);
 // Only what can be pointed at: the surface, or the samples where there is none.
 Scene make_pick_scene(const InspectContent& content);

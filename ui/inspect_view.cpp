@@ -54,11 +54,14 @@ InspectContent content_of(const Studio& studio, std::size_t index) {
   return content;
 }
 
-void colour(InspectSide& side, InspectColour by) {
-  if (side.coloured == side.look && side.coloured_by == by) return;
+void colour(const Studio& studio, InspectSide& side) {
+  const InspectColour by = studio.ui.inspect.colour;
+  const auto part = side.look ? inspected_part(studio, *side.look) : std::nullopt;
+  if (side.coloured == side.look && side.coloured_by == by && side.coloured_part == part) return;
   side.coloured = side.look;
   side.coloured_by = by;
-  side.colours = side.look ? inspect_colours(*side.look, by) : ShapeColours{};
+  side.coloured_part = part;
+  side.colours = side.look ? inspect_colours(*side.look, by, part) : ShapeColours{};
 }
 
 void draw_picture(Studio& studio, const PlacedSide& placed) {
@@ -97,12 +100,18 @@ void draw_picture(Studio& studio, const PlacedSide& placed) {
       {placed.origin.x + placed.size.x, placed.origin.y + placed.size.y}, {0, 1}, {1, 0});
 }
 
-// What the cursor points at, and where that is on the other shape.
-std::optional<InspectedPlace> place_under(Studio& studio, const PlacedSide& placed,
-                                          const glm::dvec2& cursor) {
-  const Inspection& inspection = studio.inspection;
-  const InspectContent content = content_of(studio, placed.index);
-  const Pick pick = pick_surface(make_pick_scene(content), inspection.camera, placed.viewport(), cursor);
+// What can be pointed at.
+struct Pickable {
+  InspectContent content;
+  Scene scene;
+  Pickable(const Studio& studio, const PlacedSide& placed)
+      : content(content_of(studio, placed.index)), scene(make_pick_scene(content)) {}
+};
+
+std::optional<InspectedPlace> place_under(const Pickable& pickable, const Camera& camera,
+                                          const PlacedSide& placed, const glm::dvec2& cursor) {
+  const InspectContent& content = pickable.content;
+  const Pick pick = pick_surface(pickable.scene, camera, placed.viewport(), cursor);
   if (pick.kind == PickKind::nothing) return std::nullopt;
   InspectedPlace place;
   place.side = placed.index;
@@ -111,10 +120,20 @@ std::optional<InspectedPlace> place_under(Studio& studio, const PlacedSide& plac
   const auto nearest =
       std::ranges::min_element(points, {}, [&](const Vec3& p) { return (p - place.point).squaredNorm(); });
   place.sample = static_cast<std::uint32_t>(nearest - points.begin());
+  return place;
+}
+
+// What the cursor points at, and where that is on the other shape.
+std::optional<InspectedPlace> linked_place_under(const Studio& studio, const PlacedSide& placed,
+                                                 const glm::dvec2& cursor) {
+  const Inspection& inspection = studio.inspection;
+  const Pickable pickable(studio, placed);
+  std::optional<InspectedPlace> place = place_under(pickable, inspection.camera, placed, cursor);
+  const std::shared_ptr<const FitLook>& look = pickable.content.look;
   const InspectSide& other = inspection.side(1 - placed.index);
-  if (studio.ui.inspect.beside && content.look && other.look && other.look->shape == other.shape) {
-    if (const auto on_template = place_on_template(*content.look, place.point))
-      place.on_other = place_on_shape(*other.look, *content.look->part_template, *on_template);
+  if (place && studio.ui.inspect.beside && look && other.look && other.look->shape == other.shape) {
+    if (const auto on_template = place_on_template(*look, place->point))
+      place->on_other = place_on_shape(*other.look, *look->part_template, *on_template);
   }
   return place;
 }
@@ -143,6 +162,21 @@ void resize_brush(Studio& studio, MouseInput& mouse) {
   mouse.wheel = 0;
 }
 
+// What the brush has passed over since the frame before.
+std::vector<InspectedPlace> places_on_way(const Studio& studio, const PlacedSide& placed,
+                                          const MouseInput& mouse) {
+  const ImVec2 delta = ImGui::GetIO().MouseDelta;
+  const glm::dvec2 moved = mouse.pressed ? glm::dvec2(0, 0) : glm::dvec2(delta.x, delta.y);
+  const double pixel = pixel_size(studio.inspection.camera, placed.viewport());
+  const double radius = studio.ui.inspect.brush_radius / std::max(pixel, 1e-9);
+  const Pickable pickable(studio, placed);
+  std::vector<InspectedPlace> places;
+  for (const glm::dvec2& cursor : way_of_brush(mouse.cursor, moved, radius))
+    if (auto place = place_under(pickable, studio.inspection.camera, placed, cursor))
+      places.push_back(*place);
+  return places;
+}
+
 // True while the mouse paints.
 bool follow_brush(Studio& studio, const PlacedSide& placed, const MouseInput& mouse) {
   const std::size_t side = placed.index;
@@ -154,7 +188,7 @@ bool follow_brush(Studio& studio, const PlacedSide& placed, const MouseInput& mo
     inspection.stroking = true;
   if (!inspection.stroking || side != 0) return inspection.stroking;
   if (mouse.held)
-    paint(studio, content_of(studio, 0), placed.viewport(), inspection.hovered);
+    paint(studio, content_of(studio, 0), placed.viewport(), places_on_way(studio, placed, mouse));
   else
     end_stroke(studio);
   return true;
@@ -169,7 +203,7 @@ void follow_mouse(Studio& studio, const PlacedSide& placed) {
   const bool other_holds =
       (inspection.stroking || action != MouseAction::none) && inspection.held != placed.index;
   if (mouse.over && !other_holds && !camera_moves)
-    if (auto place = place_under(studio, placed, mouse.cursor)) inspection.hovered = place;
+    if (auto place = linked_place_under(studio, placed, mouse.cursor)) inspection.hovered = place;
   if (mouse.over) studio.ui.selection.hovering = inspection.side(placed.index).shape->record.id;
   resize_brush(studio, mouse);
   if (other_holds) return;
@@ -266,7 +300,7 @@ void draw_inspect_view(Studio& studio) {
   const auto has_shape = [&](const PlacedSide& each) { return inspection.side(each.index).shape != nullptr; };
   for (const PlacedSide& each : sides) {
     if (!has_shape(each)) continue;
-    colour(inspection.side(each.index), studio.ui.inspect.colour);
+    colour(studio, inspection.side(each.index));
     follow_mouse(studio, each);
   }
   for (const PlacedSide& each : sides) {

@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "core/session/fit_state.h"
+#include "core/session/yaw_votes.h"
 #include "ui/shape_loader.h"
 
 namespace archetype {
@@ -144,6 +145,12 @@ std::optional<std::shared_ptr<const Alternatives>> make_alternatives(const Alter
   auto fits = fit_alternatives(templates, *request.shape->samples, request.pinned, {}, control);
   if (!fits) return std::nullopt;
   made->fits = std::move(*fits);
+  try {
+    made->yaw_costs = kept_yaw_costs(Project::open(request.project), request.shape->record.id, control);
+  } catch (const std::exception&) {
+    // The job that is writing the project says what is wrong.
+  }
+  if (control.cancelled()) return std::nullopt;
   return made;
 }
 

@@ -88,6 +88,7 @@ std::optional<PartPoint> place_on_template(const FitLook& look, const Vec3& poin
 std::optional<Vec3> place_on_shape(const FitLook& look, const PartTemplate& from, const PartPoint& place);
 
 struct AlternativesRequest {
+  std::filesystem::path project;
   std::shared_ptr<const InspectedShape> shape;
   PinnedParts pinned;
   friend bool operator==(const AlternativesRequest&, const AlternativesRequest&) = default;
@@ -96,6 +97,9 @@ struct Alternatives {
   AlternativesRequest of;
   std::vector<std::shared_ptr<const PartTemplate>> templates;  // those of the shape, in their order
   std::vector<FitAlternative> fits;
+  // What each yaw costs beside that, as other shapes say (kept_yaw_costs()); nothing where the project does
+  // not keep it.
+  std::optional<std::array<double, 4>> yaw_costs;
 };
 std::optional<std::shared_ptr<const Alternatives>> make_alternatives(const AlternativesRequest& request,
                                                                      const JobControl& control);

@@ -90,7 +90,7 @@ PinnedParts pins_in_view(const Studio& studio) {
 void ask_for_alternatives(Studio& studio) {
   Inspection& inspection = studio.inspection;
   if (!inspection.main.shape || studio.history.has_preview()) return;  // once the stroke is done
-  AlternativesRequest wanted{inspection.main.shape, pins_in_view(studio)};
+  AlternativesRequest wanted{studio.collection.path, inspection.main.shape, pins_in_view(studio)};
   if (inspection.asked_alternatives == wanted) return;
   const bool other_shape =
       !inspection.asked_alternatives || inspection.asked_alternatives->shape != wanted.shape;
@@ -176,16 +176,7 @@ std::optional<ChosenAlternative> coming_fit(const Studio& studio) {
   const InspectedShape& shape = *all->of.shape;
   const ShapeCorrection correction = correction_in_view(studio);
   if (shape.fit && shape.fit->state == corrected_fit_state(shape.state, &correction)) return std::nullopt;
-  std::vector<std::string> names;
-  for (const TemplateRecord& each : shape.templates) names.push_back(each.part_template.name);
-  const std::vector<bool> allowed = allowed_templates(correction, names);
-  std::optional<int> yaw = correction.yaw_quarters;
-  if (!yaw && shape.fit) yaw = shape.fit->fit.yaw_quarters;
-  const FitAlternative* best = nullptr;
-  for (const FitAlternative& each : all->fits) {
-    if (!allowed[each.part_template] || (yaw && each.fit.yaw_quarters != *yaw)) continue;
-    if (!best || each.choice < best->choice) best = &each;
-  }
+  const FitAlternative* best = decided_alternative(*all, correction);
   if (!best) return std::nullopt;
   return ChosenAlternative{shape.templates[best->part_template].id, best->fit.yaw_quarters};
 }

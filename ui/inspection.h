@@ -53,6 +53,7 @@ struct InspectSide {
   ShapeColours colours;
   std::shared_ptr<const FitLook> coloured;
   InspectColour coloured_by = InspectColour::part;
+  std::optional<std::size_t> coloured_part;  // that keeps its colours while others are dimmed
 
   RenderTarget target;
   std::optional<InspectPicture> drawn;
@@ -108,8 +109,20 @@ ShapeCorrection correction_in_view(const Studio& studio);
 const Alternatives* alternatives_of_view(const Studio& studio);
 // The one of a template and yaw; null if there is none.
 const FitAlternative* find_alternative(const Alternatives& alternatives, const ChosenAlternative& wanted);
-// Where the fit that the project holds does not heed what was corrected since: what the next fit will find,
-// but for the say of other shapes in the yaw. Nothing where it does, or the alternatives are not there.
+// The number that decides which one a shape takes: choice_energy(), and what other shapes say of the yaw,
+// where that is known and no yaw is pinned. Infinite for a yaw that they rule out.
+double deciding_energy(const Alternatives& alternatives, const FitAlternative& alternative,
+                       const ShapeCorrection& correction);
+// The one that a fit of the shape takes: each template its best yaw, and of those the least
+// deciding_energy(). Where other shapes' say is not known, the shape keeps the yaw that it has. Null if what
+// was corrected allows none.
+const FitAlternative* decided_alternative(const Alternatives& alternatives,
+                                          const ShapeCorrection& correction);
+// In words, where decided_alternative() is not the one with the least deciding_energy(), or the fit of the
+// project not that one, or an outlier: why. Empty where there is nothing to explain.
+std::string why_decided(const Alternatives& alternatives, const ShapeCorrection& correction);
+// Where the fit that the project holds does not heed what was corrected since: what the next fit will
+// find. Nothing where it does, or the alternatives are not there.
 std::optional<ChosenAlternative> coming_fit(const Studio& studio);
 // What is shown: the one that was chosen, what comes, or the fit of the project (nothing).
 std::optional<ChosenAlternative> shown_alternative(const Studio& studio);

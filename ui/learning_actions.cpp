@@ -53,6 +53,31 @@ const ProjectWriter* learner_of(const Studio& studio) {
   return nullptr;
 }
 
+// The templates of the document are those of the newest round, and all fits are theirs: learn() goes on, or
+// begins where that learning began.
+bool holds_learned(const Studio& studio) {
+  const std::shared_ptr<const LearningRecord> record = studio.collection.content.learning;
+  if (!record || record->steps.empty()) return false;
+  const std::vector<TemplateId>& ids = record->steps.back().templates;
+  const auto& templates = studio.history.committed().templates;
+  if (ids.size() != templates.size()) return false;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const auto learned = std::ranges::find(record->templates, ids[i], &TemplateRecord::id);
+    if (learned == record->templates.end() || learned->part_template != *templates[i]) return false;
+  }
+  return std::ranges::all_of(studio.collection.rows(), [&](const ShapeRow& row) {
+    return !row.fit || std::ranges::find(ids, row.fit->part_template) != ids.end();
+  });
+}
+
+std::string names_of(const std::vector<PartTemplate>& templates) {
+  constexpr std::size_t most = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, templates.size()); ++i)
+    text += (i == 0 ? "“" : ", “") + templates[i].name + "”";
+  return templates.size() > most ? text + " and " + std::to_string(templates.size() - most) + " more" : text;
+}
+
 std::string summary(const LearnReport& report, std::size_t templates) {
   std::string text = "Learned " + plural(templates, "template") + " in " +
                      plural(report.steps.size(), "round") + "; " + plural(report.learned, "shape") +
@@ -68,8 +93,11 @@ void learn_from(Studio& studio, Start from) {
   const auto path = studio.collection.path;
   const auto threads = static_cast<unsigned>(studio.settings.threads);
   const Document document = studio.history.committed();
+  const bool again = from == Start::document && holds_learned(studio);
   const std::string title = from == Start::shapes ? std::string("Learn from the shapes alone")
-                                                  : "Learn from " + document.active_template()->name;
+                            : again ? "Learn from " + studio.collection.content.learning->start.front().name
+                                    : "Learn from " + document.active_template()->name;
+  if (from == Start::document) say(studio, Severity::note, "Learning: " + what_learning_begins_with(studio));
   const JobId job = studio.jobs.start(
       title, [&studio, path, threads, document, from, title](const JobControl& control) -> Jobs::Apply {
         Project project = Project::open(path);
@@ -180,6 +208,25 @@ void look_into_round(Studio& studio, std::size_t round, std::size_t part_templat
 void show_learning(Studio& studio) {
   studio.settings.show_bottom = true;
   studio.ui.wanted_bottom_tab = BottomTab::learning;
+}
+
+std::string what_learning_begins_with(const Studio& studio) {
+  const Document& document = studio.history.committed();
+  const std::size_t count = document.templates.size();
+  if (!holds_learned(studio)) {
+    std::string text = "begins with “" + document.active_template()->name + "” as it is in the editor";
+    if (count == 2) text += "; the other template of the document stays as it is";
+    if (count > 2)
+      text += "; the " + std::to_string(count - 1) + " other templates of the document stay as they are";
+    return text;
+  }
+  const LearningRecord& record = *studio.collection.content.learning;
+  const std::string start = names_of(record.start);
+  if (!record.settled) return "goes on after round " + std::to_string(record.steps.size()) + " from " + start;
+  return "begins anew with " + start + ", as it did before; what comes of it takes the place of " +
+         (count == 1 ? "the template that was learned"
+                     : "the " + plural(count, "template") + " that were learned") +
+         ", until Ctrl+Z brings back what was there";
 }
 
 void learn(Studio& studio) {

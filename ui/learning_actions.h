@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "core/session/jobs.h"
 
@@ -20,6 +21,8 @@ void take_suggestion(Studio& studio, std::size_t rank);
 // takes the place of that template, as one step that can be undone; of a stopped run, what its last whole
 // round left.
 void learn(Studio& studio);
+// What that begins with now, and what becomes of what is there: for a person. There is an active template.
+std::string what_learning_begins_with(const Studio& studio);
 // The same without a template to begin with: learns a little from each of those that the shapes suggest, and
 // on from the best (section 4.3). What comes of it is put beside the templates of the document. A stopped
 // choice is gone on with.

@@ -43,6 +43,8 @@ void draw_head(Studio& studio, const std::optional<JobView>& job, const Learning
     return;
   }
   const float button = 110 * studio.fonts.scale;
+  const bool can = studio.history.current().active_template() != nullptr;
+  const std::string begins = can ? "Learn " + what_learning_begins_with(studio) + "." : "";
   ImGui::AlignTextToFramePadding();
   const float room = ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x;
   const float left = ImGui::GetCursorPosX();
@@ -50,6 +52,8 @@ void draw_head(Studio& studio, const std::optional<JobView>& job, const Learning
   ImGui::SameLine(left + room + ImGui::GetStyle().ItemSpacing.x);
   command_button(studio, "learn", std::string(icon::play) + (record->settled ? "  Learn" : "  Go on"),
                  {button, 0});
+  if (!begins.empty()) muted_text(studio, fitted(begins, left + room + button - ImGui::GetCursorPosX()));
+  if (!begins.empty()) tooltip(begins.c_str());
 }
 
 std::vector<PlottedRound> plotted(const LearningRecord& record, const std::vector<FlowColumn>& columns) {
@@ -215,6 +219,8 @@ void draw_learning_panel(Studio& studio) {
     const float width = 200 * studio.fonts.scale;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + (ImGui::GetContentRegionAvail().x - width) / 2);
     command_button(studio, "learn", std::string(icon::play) + "  Learn from all shapes", {width, 0});
+    if (studio.history.current().active_template())
+      muted_paragraph(studio, ("It " + what_learning_begins_with(studio) + ".").c_str());
     return;
   }
   draw_head(studio, job, record.get());

@@ -45,6 +45,7 @@ void link_selected_part(Studio& studio) {
     selection.part = studio.ui.part ? explored_part(*table, *active, *studio.ui.part) : std::nullopt;
   else
     select_only(studio.ui, selection.part ? edited_part(*table, *active, *selection.part) : std::nullopt);
+  selection.part_of_editor = edited;
   selection.linked = selection.part;
   selection.linked_edited = studio.ui.part;
 }

@@ -38,7 +38,8 @@ void draw_menu_bar(Studio& studio) {
   for (const char* menu : {"File", "Edit", "Template", "Part", "Points", "Shape", "View", "Window", "Help"}) {
     // Below the bar and never over it, or the click that opens a long menu would choose what comes to lie
     // under it.
-    const float room = ImGui::GetMainViewport()->Size.y - ImGui::GetFrameHeight();
+    const float room = ImGui::GetMainViewport()->Size.y - ImGui::GetWindowHeight() -
+                       ImGui::GetStyle().DisplaySafeAreaPadding.y;
     ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(std::numeric_limits<float>::max(), room));
     const bool open = ImGui::BeginMenu(menu);
     mark_target(studio, std::string("menu:") + menu);

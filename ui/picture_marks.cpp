@@ -29,6 +29,22 @@ void highlight_part(Picture& picture, const Picture& mask, int part) {
   }
 }
 
+Rgb dimmed(const Rgb& colour) {
+  Rgb result;
+  for (std::size_t k = 0; k < result.size(); ++k)
+    result[k] = static_cast<std::uint8_t>((colour[k] + 5 * 128) / 6);
+  return result;
+}
+
+std::shared_ptr<const Colours> highlighted_colours(std::shared_ptr<const Colours> colours,
+                                                   std::span<const std::int16_t> labels, int part) {
+  if (!colours || colours->size() != labels.size()) return colours;
+  auto result = std::make_shared<Colours>(*colours);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] != part) (*result)[i] = dimmed((*result)[i]);
+  return result;
+}
+
 void draw_ring(Picture& picture, double x, double y) {
   constexpr double radius = 9;
   for (int row = 0; row < picture.height; ++row)

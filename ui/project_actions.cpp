@@ -126,6 +126,10 @@ void start_import(Studio& studio, std::vector<fs::path> paths, bool fit_then = f
   studio.writers.push_back({job, project_path, false});
 }
 
+fs::path seats_folder(const Studio& studio) {
+  return studio.options.folders.cache / "collections" / "sweethome3d-seats";
+}
+
 // Prepares the folder (unpacks or generates it, say) beside the window, then shows its project and imports
 // it. `starting_template`, if given, is what a project without a template begins with, fitted to all shapes.
 void open_prepared_folder(Studio& studio, const fs::path& folder, const std::string& title,
@@ -191,6 +195,34 @@ void reopen_project(Studio& studio, const SessionRecord& record) {
     open_prepared_folder(studio, record.folder, record.title, {}, {});
   else
     open_project(studio, record.project);
+}
+
+void open_last(Studio& studio) {
+  const auto last = last_opened(studio.options.folders.data / "sessions");
+  if (!last || last->folder == seats_folder(studio)) {
+    open_seats(studio);
+    return;
+  }
+  if (!last->folder.empty() && fs::is_directory(last->folder)) {
+    open_prepared_folder(studio, last->folder, last->title, {}, {});
+    return;
+  }
+  const auto instead = [&studio, title = last->title](const std::string& problem) {
+    say(studio, Severity::warning, title + ", which was open last, cannot be opened: " + problem);
+    open_seats(studio);
+  };
+  if (!fs::is_regular_file(last->project)) return instead("it is not there any more");
+  studio.opening.asked(OpeningMeter::Clock::now());
+  studio.jobs.start("Open " + last->title,
+                    [&studio, last = *last, instead](const JobControl&) -> Jobs::Apply {
+                      try {
+                        return [&studio, opened = read_project(last.project, last.title)]() mutable {
+                          put_into_view(studio, std::move(opened));
+                        };
+                      } catch (const std::exception& error) {
+                        return [instead, problem = std::string(error.what())] { instead(problem); };
+                      }
+                    });
 }
 
 void add_shapes(Studio& studio, const std::vector<fs::path>& paths) {
@@ -278,7 +310,7 @@ void fit_all(Studio& studio) {
 }
 
 void open_seats(Studio& studio) {
-  const fs::path folder = studio.options.folders.cache / "collections" / "sweethome3d-seats";
+  const fs::path folder = seats_folder(studio);
   const fs::path furniture = studio.options.furniture;
   open_prepared_folder(
       studio, folder, "Seats of Sweet Home 3D", starting_template_path(studio, "chair"),

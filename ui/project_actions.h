@@ -36,6 +36,9 @@ void save_project_as(Studio& studio, const std::filesystem::path& path);
 // The active template on every shape; results come into the grid as they are made.
 void fit_all(Studio& studio);
 
+// What was open last, if it is still there and can be read, else the seats; a message says why.
+void open_last(Studio& studio);
+
 // Extracts the seats of Sweet Home 3D from Debian's package once, then opens them. A message says what to
 // install where the package is missing.
 void open_seats(Studio& studio);

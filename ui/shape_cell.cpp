@@ -147,8 +147,8 @@ bool draw_template_button(Studio& studio, const ShapeRow& row, ImVec2 low, ImVec
 WantedThumbnail shown_thumbnail(Studio& studio, const ShapeRow& row) {
   WantedThumbnail wanted = wanted_thumbnail(row);
   const ExplorerSelection& selection = studio.ui.selection;
-  // While boxes are edited, what is selected is one of them, and all shapes are seen as they are.
-  if (!selection.part || !row.fit || studio.ui.centre == CentreView::shape) return wanted;
+  if (!selection.part || !row.fit) return wanted;
+  if (studio.ui.centre == CentreView::shape && !highlights_in_shape_view(studio)) return wanted;
   const std::shared_ptr<const FitTable> table = use_fit_table(studio);
   if (!table) return wanted;
   const auto mine = std::ranges::find(table->templates, row.fit->part_template, &TemplateRecord::id);

@@ -1,5 +1,7 @@
 #include <cstdio>
+#include <string>
 
+#include "core/session/cluster_size.h"
 #include "ui/shape_map_paint.h"
 #include "ui/studio.h"
 #include "ui/widgets.h"
@@ -13,69 +15,90 @@ std::string axis_text(const char* direction, const MapAxis& axis) {
   return std::string(direction) + axis.meaning + share;
 }
 
-// On ground that leaves it readable over whatever lies below.
-void draw_caption(Studio& studio, ImVec2 low, const std::string& text, const ImVec4& colour) {
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
+std::vector<ClusterSize> sizes_of(const MadeMap& made) {
+  std::vector<ClusterSize> sizes(made.table->templates.size());
+  for (const MapPoint& point : made.map.points)
+    sizes[point.part_template].add(point.outlier ? FitStatus::outlier : FitStatus::fitted);
+  return sizes;
+}
+
+void select_members(Studio& studio, const MadeMap& made, std::size_t part_template) {
+  std::vector<ShapeId> members;
+  for (const MapPoint& point : made.map.points)
+    if (point.part_template == part_template) members.push_back(point.shape);
+  select_only(studio.ui.selection, std::move(members));
+}
+
+// A dot and a text, which can be clicked.
+void draw_entry(Studio& studio, const MadeMap& made, std::size_t part_template, const std::string& text,
+                ImVec2 low, float width) {
+  const Palette& p = colours(studio);
   const float scale = studio.fonts.scale;
-  ImVec4 ground = colours(studio).panel;
-  ground.w = 0.8f;
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  draw.AddRectFilled({low.x - 4 * scale, low.y - scale}, {low.x + size.x + 4 * scale, low.y + size.y + scale},
-                     ImGui::GetColorU32(ground), 3 * scale);
-  draw.AddText(low, ImGui::GetColorU32(colour), text.c_str());
+  const float line = ImGui::GetTextLineHeight();
+  ImGui::SetCursorScreenPos(low);
+  ImGui::PushID(static_cast<int>(part_template));
+  const bool clicked = ImGui::InvisibleButton("legend", {width, line});
+  ImGui::PopID();
+  mark_target(studio, "map:template:" + std::to_string(part_template));
+  tooltip("Select the shapes of this template");
+  const bool hovered = ImGui::IsItemHovered();
+  if (clicked) select_members(studio, made, part_template);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddCircleFilled({low.x + 6 * scale, low.y + line / 2}, 5 * scale, map_colour(part_template));
+  draw.AddText({low.x + 16 * scale, low.y}, ImGui::GetColorU32(hovered ? p.accent : p.text), text.c_str());
 }
 
 }  // namespace
 
-std::vector<LegendLine> follow_map_legend(Studio& studio, const MadeMap& made, const MapSpace& space) {
+float draw_map_legend(Studio& studio, const MadeMap& made, ImVec2 low, float width, float height) {
   const float scale = studio.fonts.scale;
-  const float line = ImGui::GetTextLineHeight();
-  std::vector<std::size_t> counts(made.table->templates.size());
-  for (const MapPoint& point : made.map.points) ++counts[point.part_template];
-  std::vector<LegendLine> legend;
-  float y = space.low.y + 8 * scale;
-  for (std::size_t t = 0; t < counts.size() && y + line < space.high.y - 3 * line; ++t) {
-    if (counts[t] == 0) continue;
-    const std::string name = fitted(made.table->templates[t].part_template.name, 0.35f * space.size().x);
-    LegendLine entry{t, name + "  ·  " + count_text(counts[t]), {space.low.x + 10 * scale, y}, false};
-    ImGui::SetCursorScreenPos(entry.low);
-    ImGui::PushID(static_cast<int>(t));
-    const float width = ImGui::CalcTextSize(entry.text.c_str()).x + 22 * scale;
-    const bool clicked = ImGui::InvisibleButton("legend", {width, line});
-    ImGui::PopID();
-    mark_target(studio, "map:template:" + std::to_string(t));
-    tooltip("Select the shapes of this template");
-    entry.hovered = ImGui::IsItemHovered();
-    if (clicked) {
-      std::vector<ShapeId> members;
-      for (const MapPoint& point : made.map.points)
-        if (point.part_template == t) members.push_back(point.shape);
-      select_only(studio.ui.selection, std::move(members));
+  const float step = 1.3f * ImGui::GetTextLineHeight();
+  const float left = low.x + 10 * scale;
+  const float right = low.x + width - 10 * scale;
+  const float room_for_rest = ImGui::CalcTextSize("and 100 more").x;
+  ImVec2 at(left, low.y + 6 * scale);
+  const std::vector<ClusterSize> sizes = sizes_of(made);
+  std::size_t left_out = 0;
+  for (std::size_t t = 0; t < sizes.size(); ++t) {
+    if (sizes[t] == ClusterSize{}) continue;
+    const std::string name = fitted(made.table->templates[t].part_template.name, 0.4f * width);
+    const std::string text = name + "  ·  " + to_string(sizes[t]);
+    const float wide = ImGui::CalcTextSize(text.c_str()).x + 20 * scale;
+    const bool last_line = at.y + 2 * step > low.y + height / 3;
+    const bool fits = at.x + wide <= right - (last_line ? room_for_rest : 0) || at.x == left;
+    if (left_out > 0 || (!fits && last_line)) {
+      ++left_out;
+      continue;
     }
-    legend.push_back(std::move(entry));
-    y += 1.35f * line;
+    if (!fits) at = {left, at.y + step};
+    draw_entry(studio, made, t, text, at, wide);
+    at.x += wide + 12 * scale;
   }
-  return legend;
+  if (left_out > 0)
+    ImGui::GetWindowDrawList()->AddText(at, ImGui::GetColorU32(colours(studio).muted),
+                                        ("and " + std::to_string(left_out) + " more").c_str());
+  return at.y + step - low.y;
 }
 
-void draw_map_captions(Studio& studio, const MadeMap& made, const MapSpace& space,
-                       const std::vector<LegendLine>& legend) {
-  const Palette& p = colours(studio);
+float axes_height(const MadeMap& made) {
+  const float line = 1.2f * ImGui::GetTextLineHeight();
+  float height = 0;
+  for (const MapAxis& axis : made.map.axes) height += axis.share > 0 ? line : 0;
+  return height > 0 ? height + 0.4f * line : 0;
+}
+
+void draw_map_axes(Studio& studio, const MadeMap& made, ImVec2 low, float width) {
   const float scale = studio.fonts.scale;
-  const float line = ImGui::GetTextLineHeight();
-  for (const LegendLine& entry : legend) {
-    draw_caption(studio, {entry.low.x + 18 * scale, entry.low.y}, entry.text,
-                 entry.hovered ? p.accent : p.text);
-    ImGui::GetWindowDrawList()->AddCircleFilled({entry.low.x + 6 * scale, entry.low.y + line / 2}, 5 * scale,
-                                                map_colour(entry.part_template));
+  const float room = width - 20 * scale;
+  ImVec2 at(low.x + 10 * scale, low.y + 0.2f * ImGui::GetTextLineHeight());
+  const std::pair<const char*, const MapAxis&> axes[] = {{"Up: ", made.map.axes[1]},
+                                                         {"Across: ", made.map.axes[0]}};
+  for (const auto& [direction, axis] : axes) {
+    if (!(axis.share > 0)) continue;
+    ImGui::GetWindowDrawList()->AddText(at, ImGui::GetColorU32(colours(studio).muted),
+                                        fitted(axis_text(direction, axis), room).c_str());
+    at.y += 1.2f * ImGui::GetTextLineHeight();
   }
-  const float room = space.size().x - 24 * scale;
-  const ImVec2 corner(space.low.x + 12 * scale, space.high.y - line - 8 * scale);
-  if (made.map.axes[0].share > 0)
-    draw_caption(studio, corner, fitted(axis_text("Across: ", made.map.axes[0]), room), p.muted);
-  if (made.map.axes[1].share > 0)
-    draw_caption(studio, {corner.x, corner.y - 1.2f * line},
-                 fitted(axis_text("Up: ", made.map.axes[1]), room), p.muted);
 }
 
 }  // namespace archetype

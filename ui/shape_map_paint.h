@@ -1,7 +1,6 @@
-// How the map is painted: dots, pictures, rings about what is chosen, legend and captions.
+// How the map is painted: dots, pictures, rings about what is chosen; the legend and what its axes mean.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "ui/shape_map_mouse.h"
@@ -21,19 +20,12 @@ void draw_map_points(Studio& studio, const MadeMap& made, const MapSpace& space,
                      const std::vector<std::size_t>& pictured, float side);
 void draw_map_outline(Studio& studio);  // of the selection that is being drawn
 
-// A template's line of the legend.
-struct LegendLine {
-  std::size_t part_template = 0;
-  std::string text;
-  ImVec2 low;
-  bool hovered = false;
-};
-
-// Its buttons, which have the mouse before the map: a click on a template selects its shapes. Targets:
-// "map:template:0" …
-std::vector<LegendLine> follow_map_legend(Studio& studio, const MadeMap& made, const MapSpace& space);
-// The legend, and what the axes mean.
-void draw_map_captions(Studio& studio, const MadeMap& made, const MapSpace& space,
-                       const std::vector<LegendLine>& legend);
+// A band above the map, nothing of which it covers: a dot, name and size for each template, in as many lines
+// as they need, up to a third of `height`; what has no room is told at the end. A click on a
+// template selects its shapes. Returns how high it is. Targets: "map:template:0" …
+float draw_map_legend(Studio& studio, const MadeMap& made, ImVec2 low, float width, float height);
+// What the axes mean, in a band below the map.
+float axes_height(const MadeMap& made);
+void draw_map_axes(Studio& studio, const MadeMap& made, ImVec2 low, float width);
 
 }  // namespace archetype

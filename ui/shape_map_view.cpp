@@ -10,7 +10,8 @@
 namespace archetype {
 namespace {
 
-void fit_whole(MapState& state, const ShapeMap& map, const MapSpace& space) {
+// With pictures of that side whole at the edges, too.
+void fit_whole(MapState& state, const ShapeMap& map, const MapSpace& space, float side) {
   float low[2] = {0, 0};
   float high[2] = {0, 0};
   for (const MapPoint& point : map.points) {
@@ -21,31 +22,31 @@ void fit_whole(MapState& state, const ShapeMap& map, const MapSpace& space) {
   }
   state.x = (low[0] + high[0]) / 2;
   state.y = (low[1] + high[1]) / 2;
-  const float captions = 3 * ImGui::GetTextLineHeight();
-  const ImVec2 room(space.size().x, std::max(1.0f, space.size().y - captions));
+  const auto without = [&](float length) { return std::max(0.4f * length, 0.95f * length - side); };
+  const ImVec2 room(without(space.size().x), std::max(1.0f, without(space.size().y)));
   const float wide = std::max(high[0] - low[0], 1e-3f);
   const float tall = std::max(high[1] - low[1], 1e-3f);
-  state.zoom = std::max(1e-6, 0.84 * std::min<double>(room.x / wide, room.y / tall));
-  state.y -= captions / 2 / state.zoom;
+  state.zoom = std::max(1e-6, std::min<double>(room.x / wide, room.y / tall));
 }
 
 void draw_map(Studio& studio, const MadeMap& made, ImVec2 size) {
   MapState& state = studio.ui.map;
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  const MapSpace space{low, {low.x + size.x, low.y + size.y}};
+  const float legend = draw_map_legend(studio, made, low, size.x, size.y);
+  const float axes = axes_height(made);
+  const MapSpace space{{low.x, low.y + legend},
+                       {low.x + size.x, low.y + std::max(legend + 1, size.y - axes)}};
+  draw_map_axes(studio, made, {low.x, space.high.y}, size.x);
   if (studio.ui.wanted_frame || studio.ui.wanted_view) state.zoom = 0;
   studio.ui.wanted_frame = false;
   studio.ui.wanted_view.reset();
-  if (!(state.zoom > 0)) fit_whole(state, made.map, space);
-  const float side = std::clamp(size.y / 9, 44 * studio.fonts.scale, 84 * studio.fonts.scale);
+  const float side = std::clamp(space.size().y / 8, 44 * studio.fonts.scale, 84 * studio.fonts.scale);
+  if (!(state.zoom > 0)) fit_whole(state, made.map, space, side);
   const std::vector<std::size_t> shown =
       state.pictures ? pictured_points(state, made.map, space, side) : std::vector<std::size_t>();
   ImGui::PushClipRect(space.low, space.high, true);
-  const std::vector<LegendLine> legend = follow_map_legend(studio, made, space);
-  ImGui::SetCursorScreenPos(low);
   follow_map_mouse(studio, made, space, shown, side);
   draw_map_points(studio, made, space, shown, side);
-  draw_map_captions(studio, made, space, legend);
   draw_map_outline(studio);
   ImGui::PopClipRect();
 }

@@ -40,6 +40,7 @@ struct PictureKey {
   std::shared_ptr<const PartTemplate> looked_at;
   std::shared_ptr<const PartTemplate> compared;
   std::uint64_t fit_revision = 0;
+  std::optional<int> coloured_part;
   std::uint64_t display_revision = 0;
   std::shared_ptr<const PointGeometry> average;
   std::vector<std::size_t> selected;

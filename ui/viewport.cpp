@@ -1,5 +1,6 @@
 // One frame of the viewport: takes over geometry, follows wishes and the mouse, draws what has changed.
 #include "ui/viewport.h"
+#include "ui/part_highlight.h"
 
 #include <imgui.h>
 
@@ -50,13 +51,16 @@ void take_over_shape(Studio& studio) {
   }
   if (auto made = state.coarse_worker.poll(); made && made->shape_revision == state.display.shape_revision)
     state.display.coarse = std::move(made->mesh);
+  const std::optional<int> part = shape.fit ? highlighted_in_view(studio, *shape.fit) : std::nullopt;
   if (state.coloured_fit == shape.fit_revision && state.coloured_display == state.display.shape_revision &&
-      state.coloured_by == studio.ui.view.colour)
+      state.coloured_by == studio.ui.view.colour && state.coloured_part == part)
     return;
+  state.coloured_part = part;
   state.coloured_by = studio.ui.view.colour;
   state.coloured_fit = shape.fit_revision;
   state.coloured_display = state.display.shape_revision;
-  state.colours = shape.fit ? colours_of_fit(*shape.fit, state.display, state.coloured_by) : ShapeColours{};
+  state.colours =
+      shape.fit ? colours_of_fit(*shape.fit, state.display, state.coloured_by, part) : ShapeColours{};
 }
 
 // Anew when the collection has changed and nothing writes to it any more.
@@ -125,6 +129,7 @@ void draw_picture(Studio& studio, const Scene& scene, const PlacedPane& placed) 
   if (studio.ui.look) key.looked_at = studio.ui.look->part_template;
   key.compared = compared_template(studio);
   key.fit_revision = state.coloured_fit;
+  key.coloured_part = state.coloured_part;
   key.display_revision = state.display.shape_revision;
   if (studio.ui.view.average && state.average) key.average = state.average->points;
   key.selected = selected_parts(studio.ui);

@@ -54,7 +54,8 @@ struct ViewportState {
   std::uint64_t coloured_fit = 0;  // revisions that `colours` are of
   std::uint64_t coloured_display = 0;
   SurfaceColour coloured_by = SurfaceColour::part;
-  std::uint64_t asked_display = 0;  // shape revision of the newest request
+  std::optional<int> coloured_part;  // that keeps its colours while others are dimmed
+  std::uint64_t asked_display = 0;   // shape revision of the newest request
 
   std::optional<AverageShape> average;
   std::optional<std::uint64_t> asked_average;  // revision of the collection of the newest request

@@ -8,6 +8,7 @@
 #include "render/convert.h"
 #include "render/thumbnails.h"
 #include "ui/heat_map.h"
+#include "ui/picture_marks.h"
 
 namespace archetype {
 namespace {
@@ -76,6 +77,11 @@ void add_average(const ViewportContent& content, Scene& scene) {
   const AverageShape& average = *content.average;
   ScenePoints ghost{.geometry = average.points, .behind = true};
   ghost.colours = content.backdrop == Backdrop::light ? average.over_light : average.over_dark;
+  scene.points.push_back(ghost);
+  // The shape hides most of what is behind it: what stands out of the shape is drawn before it, too.
+  ghost.behind = false;
+  ghost.lit = false;
+  ghost.radius = 0.022F;
   scene.points.push_back(std::move(ghost));
 }
 
@@ -172,7 +178,8 @@ std::optional<std::pair<glm::dvec3, glm::dvec3>> shape_extent(const ShapeDisplay
   return std::nullopt;
 }
 
-ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display, SurfaceColour by) {
+ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display, SurfaceColour by,
+                            std::optional<int> kept) {
   ShapeColours colours;
   // While another shape is being loaded the labels may still be those of the one before.
   const std::size_t elements = display.mesh     ? display.mesh->face_count
@@ -189,6 +196,10 @@ ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display, Sur
     colours.samples = colours_of_labels(fit.fit.labels, of);
   if (samples > 0 && heat && fit.sample_costs.size() == samples)
     colours.samples = heat_colours(std::span(fit.sample_costs));
+  if (kept && !heat) {
+    colours.elements = highlighted_colours(colours.elements, fit.element_labels, *kept);
+    colours.samples = highlighted_colours(colours.samples, fit.fit.labels, *kept);
+  }
   return colours;
 }
 

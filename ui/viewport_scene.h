@@ -20,8 +20,9 @@ struct ShapeColours {
   std::shared_ptr<const Colours> elements;  // faces, or points of a point set
   std::shared_ptr<const Colours> samples;
 };
+// `kept`: the part that keeps its colours while all others are dimmed; one that is not there dims all.
 ShapeColours colours_of_fit(const ViewFit& fit, const ShapeDisplay& display,
-                            SurfaceColour by = SurfaceColour::part);
+                            SurfaceColour by = SurfaceColour::part, std::optional<int> kept = std::nullopt);
 
 // The corners of the shape as it is drawn, turned by its fit; nothing where there is none.
 std::optional<std::pair<glm::dvec3, glm::dvec3>> shape_extent(const ShapeDisplay& display,

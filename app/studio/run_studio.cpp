@@ -42,11 +42,14 @@ Settings settings_to_keep(Settings settings, const Settings& before, const Studi
   return settings;
 }
 
-void open_first(Studio& studio, const std::string& path) {
-  if (path.empty())
-    open_seats(studio);
+// A script shall do the same each time, whatever was open last.
+void open_first(Studio& studio, const StudioRequest& request) {
+  if (!request.open.empty())
+    open_path(studio, request.open);
+  else if (request.script.empty() && !request.quit)
+    open_last(studio);
   else
-    open_path(studio, path);
+    open_seats(studio);
 }
 
 void print_output(Studio& studio) {
@@ -150,8 +153,7 @@ int run_window(Window& window, const StudioRequest& request, const Settings& set
   Errand errand = errand_of(request, studio);
   if (!request.quit) begin_session(studio);
   // What was open when the program was killed is offered before anything else comes into view.
-  if (!request.open.empty() || !request.script.empty() || studio.lost.empty())
-    open_first(studio, request.open);
+  if (!request.open.empty() || !request.script.empty() || studio.lost.empty()) open_first(studio, request);
   const bool unattended = request.quit;
   try {
     draw_frames(window, errand, after_frame);

@@ -8,7 +8,7 @@
 namespace archetype {
 
 struct StudioRequest {
-  std::string open;                   // a project, folder, template or shape; empty: the first collection
+  std::string open;                   // a project, folder, template or shape; empty: what was open last
   std::vector<std::string> settings;  // name=value, for this run
   std::filesystem::path script;
   std::filesystem::path screenshot;

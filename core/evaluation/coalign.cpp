@@ -37,8 +37,17 @@ std::vector<Box> free_boxes(const PartTemplate& given, const ShapeSamples& sampl
 Sharpness& Sharpness::operator+=(const Sharpness& other) {
   rigid += other.rigid;
   deformed += other.deformed;
+  between += other.between;
   samples += other.samples;
   return *this;
+}
+
+// With r and d what is left of a sample at either end, (1 - b) r + b d is left between them.
+double Sharpness::mean_at(double blend) const {
+  if (samples == 0) return 0;
+  const double rest = 1 - blend;
+  return (rest * rest * rigid + 2 * rest * blend * between + blend * blend * deformed) /
+         static_cast<double>(samples);
 }
 
 // With q a sample in the template's frame, B the fitted and M the mean box of its part, and m the closest
@@ -65,7 +74,8 @@ Coaligned coalign(const PartTemplate& part_template, const ShapeSamples& samples
     const Vec3 offset = q - boxes[part].to_world(match);
     const Vec3 canonical = part_template.parts[part].mean_box().to_world(match);
     result.deformed.emplace_back(canonical + offset);
-    result.sharpness += {(q - canonical).squaredNorm(), offset.squaredNorm(), 1};
+    const Vec3 left = q - canonical;
+    result.sharpness += {left.squaredNorm(), offset.squaredNorm(), left.dot(offset), 1};
   }
   return result;
 }

@@ -31,10 +31,13 @@ std::vector<Box> free_boxes(const PartTemplate& part_template, const ShapeSample
 struct Sharpness {
   double rigid = 0;     // of samples that are only turned and moved with their shape
   double deformed = 0;  // after the deformation of each part is taken out
+  double between = 0;   // of what is left before and after, their dot products
   std::size_t samples = 0;
 
-  double mean_rigid() const { return samples > 0 ? rigid / static_cast<double>(samples) : 0; }
-  double mean_deformed() const { return samples > 0 ? deformed / static_cast<double>(samples) : 0; }
+  double mean_rigid() const { return mean_at(0); }
+  double mean_deformed() const { return mean_at(1); }
+  // Of samples that have gone the share `blend` of their way from rigid (0) to deformed (1).
+  double mean_at(double blend) const;
   Sharpness& operator+=(const Sharpness& other);
 };
 

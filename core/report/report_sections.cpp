@@ -11,6 +11,7 @@
 #include "core/report/report_pictures.h"
 #include "core/report/template_svg.h"
 #include "core/report/xml_text.h"
+#include "core/session/cluster_size.h"
 #include "core/session/fit_state.h"
 
 namespace archetype {
@@ -119,10 +120,11 @@ std::string templates_section(const ReportContent& content) {
       "of a shape's points from its centre.</p>\n";
   for (const TemplateRecord& record : content.templates) {
     const PartTemplate& part_template = record.part_template;
-    const auto members = std::ranges::count(content.fits, record.id, &FitSummary::part_template);
+    ClusterSize size;
+    for (const FitSummary& fit : content.fits)
+      if (fit.part_template == record.id) size.add(fit.status);
     section += "<h3>" + xml_text(part_template.name) + "</h3>\n<p class=\"muted\">" +
-               count_of(part_template.parts.size(), "part") + ", " +
-               count_of(static_cast<std::size_t>(members), "shape") +
+               count_of(part_template.parts.size(), "part") + ", " + to_string(size) +
                (record.current ? "" : ", no longer in use") + "</p>\n<div class=\"row\">";
     section += template_svg(part_template, 300);
     std::vector<std::vector<HtmlCell>> rows;
@@ -149,13 +151,16 @@ std::string clusters_section(ReportContent& content) {
   std::vector<FitSummary> outliers;
   for (const TemplateRecord& record : content.templates) {
     std::vector<FitSummary> members;
-    for (const FitSummary& fit : content.fits)
-      if (fit.part_template == record.id)
-        (fit.status == FitStatus::outlier ? outliers : members).push_back(fit);
+    ClusterSize size;
+    for (const FitSummary& fit : content.fits) {
+      if (fit.part_template != record.id) continue;
+      size.add(fit.status);
+      (fit.status == FitStatus::outlier ? outliers : members).push_back(fit);
+    }
     if (members.empty()) continue;
     std::ranges::stable_sort(members, {}, energy_of);
-    section += "<h3>" + xml_text(record.part_template.name) + " (" + std::to_string(members.size()) +
-               ")</h3>\n" + thumbnails(content, members);
+    section += "<h3>" + xml_text(record.part_template.name) + " (" + to_string(size) + ")</h3>\n" +
+               thumbnails(content, members);
   }
   if (outliers.empty()) return section;
   std::ranges::stable_sort(outliers, std::greater<>(), energy_of);

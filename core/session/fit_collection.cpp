@@ -19,6 +19,7 @@
 #include "core/session/ordered_pipeline.h"
 #include "core/session/read_imported.h"
 #include "core/session/yaw_energies.h"
+#include "core/session/yaw_votes.h"
 
 namespace archetype {
 
@@ -153,23 +154,6 @@ class FitRun {
     return std::nullopt;
   }
 
-  static void add_spread(std::vector<ShapeId>& asked, const std::vector<ShapeId>& ids, std::size_t count) {
-    count = std::min(count, ids.size());
-    for (std::size_t i = 0; i < count; ++i) asked.push_back(ids[i * ids.size() / count]);
-  }
-
-  // Shapes whose yaws are known, and others spread over the whole collection, whatever is done already: a run
-  // that was stopped goes on with the same.
-  std::vector<ShapeId> voters() const {
-    std::vector<ShapeId> known;
-    std::vector<ShapeId> others;
-    for (const ShapeId id : project_.shape_ids()) (known_yaws_.contains(id) ? known : others).push_back(id);
-    std::vector<ShapeId> asked;
-    add_spread(asked, known, AgreedYaws::most_references);
-    add_spread(asked, others, AgreedYaws::most_references - asked.size());
-    return asked;
-  }
-
   std::optional<int> known_yaw(ShapeId id) const {
     const auto known = known_yaws_.find(id);
     return known == known_yaws_.end() ? std::nullopt : std::optional(known->second);
@@ -183,7 +167,7 @@ class FitRun {
     };
     if (std::ranges::all_of(todo_, need_not_ask)) return true;
     known_yaws_ = learned_yaws(project_, template_ids_);
-    const std::vector<ShapeId> asked = voters();
+    const std::vector<ShapeId> asked = yaw_voters(project_, known_yaws_);
     std::vector<ShapeSamples> references;
     for (std::size_t i = 0; i < asked.size() && !control_.cancelled(); ++i)
       references.push_back(project_.samples(asked[i]));

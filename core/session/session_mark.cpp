@@ -27,6 +27,7 @@ using FileTime = fs::file_time_type;
 constexpr const char* lock_ending = ".lock";
 constexpr const char* record_ending = ".json";
 constexpr const char* document_ending = ".document";
+constexpr const char* last_name = "last.json";
 constexpr std::size_t most_lost = 20;
 
 // Negative where it is locked by a session that runs, or cannot be opened.
@@ -138,7 +139,20 @@ SessionMark::~SessionMark() {
 void SessionMark::record(const SessionRecord& open) const {
   const Json json = {
       {"project", open.project.string()}, {"title", open.title}, {"folder", open.folder.string()}};
-  replace_file(record_, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  replace_file(record_, text);
+  replace_file(record_.parent_path() / last_name, text);
+}
+
+std::optional<SessionRecord> last_opened(const fs::path& folder) {
+  std::error_code none;
+  if (!fs::exists(folder / last_name, none)) return std::nullopt;
+  try {
+    SessionRecord last = read_record(folder / last_name);
+    if (!last.project.empty()) return last;
+  } catch (const std::exception&) {  // cut off, or not ours
+  }
+  return std::nullopt;
 }
 
 std::vector<LostSession> lost_sessions(const fs::path& folder) {

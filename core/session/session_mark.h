@@ -30,7 +30,7 @@ class SessionMark {
   SessionMark& operator=(const SessionMark&) = delete;
   ~SessionMark();
 
-  // What is open now. Throws FileError.
+  // What is open now, which last_opened() tells the next start of. Throws FileError.
   void record(const SessionRecord& open) const;
   // For the text of the document (document_text.h) while no project holds it.
   const std::filesystem::path& document() const { return document_; }
@@ -39,6 +39,9 @@ class SessionMark {
   std::filesystem::path lock_, record_, document_;
   int descriptor_ = -1;
 };
+
+// What any session of the folder opened last, however it ended; nothing where that is not known.
+std::optional<SessionRecord> last_opened(const std::filesystem::path& folder);
 
 // One that ended without taking its files away.
 struct LostSession {

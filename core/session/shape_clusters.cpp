@@ -28,8 +28,10 @@ class Places {
   // Nothing that a table in the making does not know yet is lost: it stands with those without a fit.
   std::size_t of(const ShapeRow& row) const {
     if (!row.fit) return unfitted();
-    if (row.fit->status == FitStatus::outlier) return outliers();
-    const auto found = of_template_.find(row.fit->part_template);
+    return row.fit->status == FitStatus::outlier ? outliers() : of_template(*row.fit);
+  }
+  std::size_t of_template(const FitSummary& fit) const {
+    const auto found = of_template_.find(fit.part_template);
     return found == of_template_.end() ? unfitted() : found->second;
   }
 
@@ -48,6 +50,7 @@ std::vector<ShapeCluster> shape_clusters(const ShapeTable& shapes, std::span<con
   for (const ShapeRow& row : shapes.rows()) {
     const std::size_t place = places.of(row);
     ++clusters[place].all;
+    if (place == places.outliers()) ++clusters[places.of_template(*row.fit)].outliers;
     if (!row.fit || !std::isfinite(row.fit->energy.total())) continue;
     sums[place].energy += row.fit->energy.total();
     ++sums[place].count;

@@ -21,6 +21,7 @@ struct ShapeCluster {
   std::size_t part_template = 0;   // of members: an index into FitTable::templates
   std::vector<std::size_t> shown;  // rows, in the order that they were given in
   std::size_t all = 0;             // shapes, also those that are not shown
+  std::size_t outliers = 0;        // of members: those of its template, which stand apart
   double mean_energy = 0;          // of all that have a finite one; 0 where none has
 };
 

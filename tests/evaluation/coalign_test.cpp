@@ -50,6 +50,15 @@ TEST_CASE("what lies on the fitted box comes to lie on the mean box, whatever ya
   CHECK(coaligned.sharpness.samples == 4);
   CHECK(coaligned.sharpness.mean_deformed() == doctest::Approx(0.05 * 0.05 / 4));
   CHECK(coaligned.sharpness.mean_rigid() > 1);
+  // Between the ends it is what is measured there.
+  const std::vector<Vec3> place{mean.to_world(on_box[0]), mean.to_world(on_box[1]), mean.to_world(on_box[2]),
+                                mean.to_world(on_box[0])};
+  for (const double blend : {0.0, 0.3, 0.75, 1.0}) {
+    double measured = 0;
+    for (std::size_t i = 0; i < place.size(); ++i)
+      measured += ((1 - blend) * coaligned.rigid[i] + blend * canonical[i] - place[i]).squaredNorm() / 4;
+    CHECK(coaligned.sharpness.mean_at(blend) == doctest::Approx(measured));
+  }
 }
 
 TEST_CASE("free boxes follow the surface where the template's spread holds the fitted ones back") {
@@ -89,6 +98,7 @@ TEST_CASE("a part that was not found keeps its mean box") {
   const Coaligned coaligned = coalign(part_template, samples, fit, boxes);
   CHECK(coaligned.sharpness.samples == 0);
   CHECK(coaligned.sharpness.mean_deformed() == 0);
+  CHECK(coaligned.sharpness.mean_at(0.5) == 0);
 }
 
 TEST_CASE("samples of no part are only turned and moved") {

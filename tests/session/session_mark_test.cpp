@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
+#include <iterator>
 
 #include "core/io/file.h"
 #include "core/session/document_text.h"
@@ -43,6 +44,10 @@ void leave_killed(const fs::path& folder, const SessionRecord& record, const std
   REQUIRE(WIFSIGNALED(status));
 }
 
+std::ptrdiff_t files_in(const fs::path& folder) {
+  return std::distance(fs::directory_iterator(folder), {});
+}
+
 }  // namespace
 
 TEST_CASE("A session that runs, or has ended, is not lost") {
@@ -56,7 +61,28 @@ TEST_CASE("A session that runs, or has ended, is not lost") {
     CHECK(mark.document() != other.document());
     CHECK(lost_sessions(folder).empty());
   }
-  CHECK(fs::is_empty(folder));
+  CHECK(files_in(folder) == 1);  // that of last_opened()
+}
+
+TEST_CASE(
+    "What was opened last is known after the session has ended, and nothing of it if it was not written") {
+  const ScratchFolder scratch;
+  const fs::path folder = scratch.path() / "sessions";
+  CHECK_FALSE(last_opened(folder));
+  const SessionRecord first{scratch.write("a.archetype", "x"), "a", {}};
+  const SessionRecord second{scratch.write("b.archetype", "x"), "chairs", scratch.path()};
+  {
+    const SessionMark mark(folder);
+    CHECK_FALSE(last_opened(folder));
+    mark.record(first);
+    mark.record(second);
+    CHECK(last_opened(folder) == second);
+  }
+  CHECK(last_opened(folder) == second);
+  for (const char* text : {"", "{", "[]", R"({"project": 5})", R"({"title": "chairs"})"}) {
+    replace_file(folder / "last.json", text);
+    CHECK_FALSE(last_opened(folder));
+  }
 }
 
 TEST_CASE("A session that was killed says what was open, until it is forgotten") {
@@ -74,7 +100,7 @@ TEST_CASE("A session that was killed says what was open, until it is forgotten")
   CHECK(with_document.document.value() == one_template());
   CHECK(lost_sessions(folder).size() == 2);
   for (const LostSession& each : lost) forget_session(each);
-  CHECK(fs::is_empty(folder));
+  CHECK(files_in(folder) == 1);  // that of last_opened()
 }
 
 TEST_CASE("Lost sessions come newest first, with the time of their last sign") {
@@ -107,7 +133,7 @@ TEST_CASE("What a killed session left that leads nowhere, or is broken, is taken
   leave_killed(folder, {}, "{\"format\": \"archetype-document\", \"templates\"");
   leave_killed(folder, {}, format_document({}));
   CHECK(lost_sessions(folder).empty());
-  CHECK(fs::is_empty(folder));
+  CHECK(files_in(folder) == 1);  // that of last_opened()
   leave_killed(folder, {scratch.write("p.archetype", "x"), "chairs", {}}, "");
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == ".json")

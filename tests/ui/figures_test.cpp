@@ -1,6 +1,8 @@
 // Figures and the report from the window's commands.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
@@ -91,6 +93,116 @@ TEST_CASE("Each figure is saved by its command, as wide as asked for") {
     REQUIRE(run_command(window.studio(), name, std::vector<std::string>{file.string(), "300"}));
     window.settle();
     CHECK(png_width(file) == 300);
+  }
+}
+
+TEST_CASE(
+    "The figure of the clouds has the colours of the view, and tells what they mean and of what they are") {
+  TestWindow window(500, 400);
+  show_fitted_chairs(window, 4);
+  Studio& studio = window.studio();
+  FigureRequest request = request_of(window, 400, false);
+  std::vector<Picture> drawn;
+  std::vector<std::string> saved;
+  for (const auto& [command, colour] :
+       {std::pair("cloud-by-part", CloudColour::part), std::pair("cloud-by-shape", CloudColour::shape),
+        std::pair("cloud-by-displacement", CloudColour::displacement)}) {
+    request.cloud_colour = colour;
+    drawn.push_back(coalignment_figure(request, {}).value());
+    REQUIRE(run_command(studio, command));
+    const auto file = window.scratch().path() / "cloud.png";
+    REQUIRE(run_command(studio, "figure-coalignment", std::vector<std::string>{file.string(), "400"}));
+    window.settle();
+    saved.push_back(read_file(file));
+    for (std::size_t i = 0; i + 1 < drawn.size(); ++i) {
+      CHECK_FALSE(drawn[i] == drawn.back());
+      CHECK(saved[i] != saved.back());
+    }
+  }
+  CHECK(drawn[0].height > drawn[1].height);  // a legend stands below
+  CHECK(drawn[2].height > drawn[1].height);
+  // Of one template it bears its name, of more what it was told.
+  const Picture of_template = drawn.back();
+  request.cloud_of = "Seats of another name";
+  const auto named = coalignment_figure(request, {});
+  request.outliers = 3;
+  const auto counted = coalignment_figure(request, {});
+  REQUIRE(named);
+  REQUIRE(counted);
+  CHECK_FALSE(of_template == *named);
+  CHECK_FALSE(*named == *counted);
+}
+
+namespace {
+
+// A box of the size, as the part of a template and as a cloud.
+PartTemplate slab(const Vec3& half_extent) {
+  PartTemplate part_template;
+  part_template.parts.resize(1);
+  part_template.parts[0].scale.mean = half_extent;
+  return part_template;
+}
+
+void check_framed(const FigureRequest& request, const Scene& scene, double width, double height) {
+  FigurePage page(request);
+  page.set_height(height);
+  REQUIRE(
+      page.draw_scene(scene, figure_camera(scene, page.viewport(width, height)), 0, 0, width, height, {}));
+  const Picture& picture = page.picture();
+  const int cell_width = page.viewport(width, height).width;
+  int left = cell_width;
+  int right = -1;
+  int top = picture.height;
+  int bottom = -1;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < cell_width; ++x) {
+      if (picture.pixels[4 * static_cast<std::size_t>(y * picture.width + x) + 3] < 40) continue;
+      left = std::min(left, x);
+      right = std::max(right, x);
+      top = std::min(top, y);
+      bottom = std::max(bottom, y);
+    }
+  CAPTURE(left);
+  CAPTURE(right);
+  CAPTURE(top);
+  CAPTURE(bottom);
+  // Nothing is cut.
+  CHECK(left > 0);
+  CHECK(top > 0);
+  CHECK(right < cell_width - 1);
+  CHECK(bottom < picture.height - 1);
+  // It fills one of the two directions, and stands in the middle.
+  const double wide = (right - left + 1.0) / cell_width;
+  const double tall = (bottom - top + 1.0) / picture.height;
+  CHECK(std::max(wide, tall) > 0.8);
+  CHECK(std::abs(left + right - cell_width + 1) < 0.12 * cell_width);
+  CHECK(std::abs(top + bottom - picture.height + 1) < 0.12 * picture.height);
+}
+
+}  // namespace
+
+TEST_CASE("What a figure shows fills its place, is not cut, and stands in its middle") {
+  TestWindow window(300, 200);
+  show_fitted_chairs(window, 2);
+  FigureRequest request = request_of(window, 400, true);
+  std::vector<Scene> scenes;
+  for (const Vec3& size :
+       {Vec3(1, 1, 1), Vec3(3, 0.1, 0.1), Vec3(0.05, 4, 0.05), Vec3(0.2, 0.1, 5), Vec3(2, 0.02, 2)})
+    scenes.push_back(template_scene(slab(size), {.spread = false}));
+  const Project project = Project::open(request.project);
+  for (const ShapeId id : request.shapes) {
+    const auto shape = load_figure_shape(project, id);
+    REQUIRE(shape);
+    add_shape(scenes.emplace_back(), *shape, true);
+  }
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    CAPTURE(i);
+    for (const auto& [width, height] :
+         {std::pair(1000.0, 1000.0), std::pair(1000.0, 400.0), std::pair(400.0, 1000.0)}) {
+      CAPTURE(width);
+      CAPTURE(height);
+      check_framed(request, scenes[i], width, height);
+    }
   }
 }
 

@@ -2,10 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
+#include <iterator>
 
 #include "core/session/correction_actions.h"
 #include "tests/ui/test_window.h"
 #include "ui/inspect_actions.h"
+#include "ui/inspect_brush.h"
 #include "ui/inspection.h"
 
 using namespace archetype;
@@ -175,6 +178,34 @@ TEST_CASE("A stroke of the brush pins what it touches in one step, and the next 
   CHECK(studio.history.current() == after);
   REQUIRE(run(window, "free-points"));
   CHECK(correction_in_view(studio).empty());
+}
+
+TEST_CASE("A quick stroke of the brush has no gaps: it pins what a slow one does") {
+  const std::vector<glm::dvec2> way = way_of_brush({100, 50}, {80, 0}, 20);
+  REQUIRE(way.size() == 16);
+  CHECK(way.back() == glm::dvec2(100, 50));
+  for (std::size_t i = 1; i < way.size(); ++i) CHECK(glm::length(way[i] - way[i - 1]) <= 5.001);
+  CHECK(way.front().x == doctest::Approx(25));
+  CHECK(way_of_brush({5, 5}, {0, 0}, 20).size() == 1);
+  CHECK(way_of_brush({5, 5}, {1e6, 0}, 0.01).size() < 100);
+  std::vector<std::vector<std::uint32_t>> pinned;
+  for (const int steps : {1, 40}) {
+    TestWindow window;
+    open_fitted(window, 1);
+    Studio& studio = window.studio();
+    REQUIRE(run(window, "paint-labels", {"leg"}));
+    studio.ui.inspect.brush_radius = 0.08;
+    window.press_on("inspect:shape");
+    window.move_by(0, -60);
+    for (int i = 0; i < steps; ++i) window.move_by(0, 120.0F / static_cast<float>(steps));
+    window.let_go();
+    pinned.push_back(correction_in_view(studio).pinned.at("leg"));
+  }
+  REQUIRE(pinned[1].size() > 10);
+  std::vector<std::uint32_t> both;
+  std::ranges::set_intersection(pinned[0], pinned[1], std::back_inserter(both));
+  CHECK(both.size() > 0.95 * static_cast<double>(pinned[0].size()));
+  CHECK(both.size() > 0.95 * static_cast<double>(pinned[1].size()));
 }
 
 TEST_CASE("Marks are switches, and what is selected together is marked together") {

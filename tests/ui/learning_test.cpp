@@ -169,6 +169,56 @@ TEST_CASE("Members and shapes that moved bring themselves into view") {
   CHECK(listed == columns[1].moved);
 }
 
+TEST_CASE("What learning begins with is said before and when it starts") {
+  TestWindow window;
+  window.open_chairs(4);
+  window.make_template();
+  Studio& studio = window.studio();
+  const auto says = [&](const std::string& piece) {
+    return what_learning_begins_with(studio).find(piece) != std::string::npos;
+  };
+  CHECK(says("begins with “chair” as it is in the editor"));
+  window.click("command:learn");
+  CHECK(studio.messages.list().back().text == "Learning: begins with “chair” as it is in the editor");
+  CHECK(studio.jobs.view().front().title == "Learn from chair");
+  window.settle();
+  REQUIRE(studio.collection.content.learning->settled);
+  // The templates are what was learned: it would begin where that began.
+  CHECK(says("begins anew with “chair”, as it did before"));
+  CHECK(says("takes the place of the template that was learned"));
+  REQUIRE(run_command(studio, "rename-template", std::vector<std::string>{"seat of mine"}));
+  window.settle();
+  CHECK(says("begins with “seat of mine” as it is in the editor"));
+  REQUIRE(run_command(studio, "duplicate-template"));
+  window.settle();
+  CHECK(says("the other template of the document stays as it is"));
+  window.key("Ctrl+Z");
+  window.key("Ctrl+Z");
+  window.settle();
+  auto unsettled = *studio.collection.content.learning;
+  unsettled.settled = false;
+  studio.collection.content.learning = std::make_shared<const LearningRecord>(unsettled);
+  CHECK(says("goes on after round " + std::to_string(unsettled.steps.size()) + " from “chair”"));
+}
+
+TEST_CASE("A learning that is stopped before its first round says that nothing was changed, and nothing is") {
+  TestWindow window;
+  window.open_chairs(6);
+  window.make_template();
+  Studio& studio = window.studio();
+  const Document before = studio.history.current();
+  window.click("command:learn");
+  REQUIRE(run_command(studio, "cancel-jobs"));
+  window.settle();
+  CHECK(studio.messages.list().back().text ==
+        "Learning stopped before the end of a round; nothing was changed");
+  CHECK(studio.ui.status == studio.messages.list().back().text);
+  CHECK(studio.history.current() == before);
+  CHECK_FALSE(studio.collection.content.learning);
+  for (const ShapeRow& row : studio.collection.rows()) CHECK_FALSE(row.fit.has_value());
+  CHECK(window.has("command:learn"));
+}
+
 TEST_CASE("What was learned is there again after a restart") {
   const ScratchFolder kept;
   const std::filesystem::path path = kept.path() / "chairs.archetype";

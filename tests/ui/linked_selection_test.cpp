@@ -267,8 +267,19 @@ TEST_CASE("A part that is picked in any view is the picked one in all of them") 
     window.run("show-shape");
     REQUIRE(studio.ui.part);
     CHECK(studio.history.current().active_template()->parts[*studio.ui.part].name == name);
-    CHECK(shown_thumbnail(studio, window.row(0)).highlighted ==
-          -1);  // boxes are edited on shapes as they are
+    // There too it is seen, on the shape in view and on all others, until another box is selected; but boxes
+    // are edited with all labels seen.
+    const bool explored = way.name != "editor";
+    CHECK((shown_thumbnail(studio, window.row(0)).highlighted >= 0) == explored);
+    REQUIRE(studio.viewport.coloured_part.has_value() == explored);
+    const ViewFit& fit = *studio.shape.fit;
+    const auto seen = std::ranges::find(fit.part_template->parts, name, &TemplatePart::name);
+    if (explored && seen != fit.part_template->parts.end())
+      CHECK(*studio.viewport.coloured_part == seen - fit.part_template->parts.begin());
+    select_only(studio.ui, *studio.ui.part == 0 ? 1 : 0);
+    window.rest();
+    CHECK_FALSE(studio.viewport.coloured_part);
+    CHECK(shown_thumbnail(studio, window.row(0)).highlighted == -1);
   }
   for (const char* view : {"show-clusters", "show-inspect", "show-cloud", "show-map"})
     check_seen_in(window, view, [&] {

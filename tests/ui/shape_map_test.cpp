@@ -8,6 +8,7 @@
 #include "tests/ui/made_project.h"
 #include "tests/ui/test_window.h"
 #include "ui/shape_map_mouse.h"
+#include "ui/shape_map_paint.h"
 
 using namespace archetype;
 using archetype::test::TestWindow;
@@ -60,6 +61,34 @@ TEST_CASE("A template in the legend of the map selects its shapes") {
   MapWindow window(36);
   window.click("map:template:0");
   CHECK(window.selection().shapes.size() == 24);
+}
+
+TEST_CASE("Neither the legend nor the words of the axes cover the map") {
+  for (const bool small : {false, true}) {
+    MapWindow window(36);
+    if (small) window.studio().settings.left_width = window.studio().settings.right_width = 420;
+    window.frames(4);
+    const Target map = window.target("map");
+    std::size_t lines = 0;
+    for (const Target& each : window.studio().targets) {
+      if (!each.name.starts_with("map:template:")) continue;
+      CHECK(each.high_y <= map.low_y);
+      ++lines;
+    }
+    CHECK(lines > 0);
+    const float axes = axes_height(*window.studio().shape_map.newest);
+    CHECK(axes > 2 * ImGui::GetFontSize());
+    for (const Target& each : window.studio().targets)
+      if (each.name.starts_with("near:")) CHECK(each.low_y > map.high_y);
+    // All shapes lie inside when the whole map is shown.
+    const MadeMap& made = *window.studio().shape_map.newest;
+    const MapSpace space{{map.low_x, map.low_y}, {map.high_x, map.high_y}};
+    for (const MapPoint& point : made.map.points) {
+      const ImVec2 at = space.at(window.studio().ui.map, point);
+      CHECK(at.y > map.low_y);
+      CHECK(at.y < map.high_y);
+    }
+  }
 }
 
 TEST_CASE("A shape on the map is hovered, clicked and shown; all panels have it") {

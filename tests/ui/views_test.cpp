@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "tests/ui/test_window.h"
 
@@ -53,6 +54,28 @@ TEST_CASE("O puts the average of the collection behind the shape, turned as the 
   window.key("O");
   window.settle();
   CHECK_FALSE(window.studio().ui.view.average);
+}
+
+TEST_CASE("The average is clearly seen beside and over the shape, dark and light") {
+  for (const char* theme : {"theme-dark", "theme-light"}) {
+    CAPTURE(theme);
+    TestWindow window;
+    window.open_chairs(8);
+    REQUIRE(run_command(window.studio(), theme));
+    window.settle();
+    const Picture before = window.window().picture();
+    window.key("O");
+    window.settle();
+    const Picture after = window.window().picture();
+    std::size_t clear = 0;  // pixels that differ by more than an eighth of what they can
+    for (std::size_t i = 0; i + 2 < after.pixels.size(); i += 4) {
+      int most = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        most = std::max(most, std::abs(after.pixels[i + k] - before.pixels[i + k]));
+      clear += most > 32;
+    }
+    CHECK(clear > after.pixels.size() / 4 / 100);
+  }
 }
 
 TEST_CASE("All that shows what a template does fits into a small window, dark and light, at both scales") {

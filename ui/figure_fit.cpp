@@ -1,4 +1,4 @@
-// Co-aligned points rigid beside deformed, and one fit in four pictures.
+// One fit in four pictures.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -6,11 +6,8 @@
 #include "core/base/error.h"
 #include "render/convert.h"
 #include "render/thumbnails.h"
-#include "ui/cloud_content.h"
-#include "ui/cloud_picture.h"
 #include "ui/figure.h"
 #include "ui/figure_scenes.h"
-#include "ui/widgets.h"
 
 namespace archetype {
 namespace {
@@ -22,12 +19,6 @@ constexpr double small_text = 12;
 
 // Of all points, those that a line is drawn for: more could not be told apart.
 constexpr std::size_t most_lines = 160;
-
-std::string distance_text(double value) {
-  char line[96];
-  std::snprintf(line, sizeof line, "mean squared distance to the canonical place %.4f", value);
-  return line;
-}
 
 void add_correspondences(Scene& scene, const FigureShape& shape) {
   const ShapeFit& fit = shape.fit->fit;
@@ -78,40 +69,6 @@ void add_boxes(Scene& scene, const FigureShape& shape, bool fitted, bool mean) {
 }
 
 }  // namespace
-
-std::optional<Picture> coalignment_figure(const FigureRequest& request, const JobControl& control) {
-  if (request.shapes.empty()) throw Error("no shape is fitted yet; fit a template to all shapes first");
-  CloudContentRequest wanted;
-  wanted.project = request.project;
-  wanted.what.shapes = request.shapes;
-  wanted.progress = std::make_shared<CloudProgress>();
-  const auto read = read_cloud(wanted, control);
-  if (!read) return std::nullopt;
-  const CloudContent& content = **read;
-  if (content.of.empty()) throw Error("none of these shapes is fitted; fit a template to them first");
-  FigurePage page(request);
-  constexpr double width = (1000 - 2 * margin - gap) / 2;
-  constexpr double height = 0.95 * width;
-  page.set_height(2 * margin + height + text + 2 * small_text + gap);
-  CloudPictureKey key;
-  key.points = content.points;
-  key.colours = cloud_colours(content, CloudColour::part);
-  const std::array<std::string, 2> titles{"Rigid", "Deformed"};
-  const std::array<double, 2> distances{content.sharpness.mean_rigid(), content.sharpness.mean_deformed()};
-  for (std::size_t i = 0; i < 2; ++i) {
-    key.blend = static_cast<float>(i);
-    const Scene scene = cloud_scene(key);
-    const double left = margin + static_cast<double>(i) * (width + gap);
-    const Camera camera = figure_camera(scene, page.viewport(width, height));
-    if (!page.draw_scene(scene, camera, left, margin, width, height, control)) return std::nullopt;
-    page.write(titles[i], left, margin + height + gap / 2, text, FigurePage::Style::bold);
-    page.write(distance_text(distances[i]), left, margin + height + gap / 2 + text, small_text,
-               FigurePage::Style::muted, width);
-  }
-  page.write(plural(content.shapes.size(), "shape") + ", " + count_text(content.of.size()) + " points",
-             margin, margin + height + gap / 2 + text + small_text, small_text, FigurePage::Style::muted);
-  return page.picture();
-}
 
 std::optional<Picture> fit_figure(const FigureRequest& request, const JobControl& control) {
   if (request.shapes.empty()) throw Error("no shape is in view; click one in the collection first");
