@@ -219,8 +219,11 @@ void draw_learning_panel(Studio& studio) {
     const float width = 200 * studio.fonts.scale;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + (ImGui::GetContentRegionAvail().x - width) / 2);
     command_button(studio, "learn", std::string(icon::play) + "  Learn from all shapes", {width, 0});
-    if (studio.history.current().active_template())
-      muted_paragraph(studio, ("It " + what_learning_begins_with(studio) + ".").c_str());
+    if (!studio.history.current().active_template()) return;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const std::string begins = fitted("It " + what_learning_begins_with(studio) + ".", room);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + (room - ImGui::CalcTextSize(begins.c_str()).x) / 2);
+    muted_text(studio, begins);
     return;
   }
   draw_head(studio, job, record.get());
