@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <mutex>
 #include <ranges>
 #include <set>
 
@@ -51,6 +52,7 @@ class Round {
     for (std::size_t i = 0; i < shapes_.size(); ++i) set_yaw_costs(i, fit_options.yaw_costs);
     counted_.stop = control.stop;
     counted_.report = [this](std::size_t, std::size_t, std::string_view) {
+      const std::lock_guard lock(reporting_);  // or a thread that was held up would report an old number
       const std::size_t fitted = ++fitted_;
       control_.progress(fitted, std::max(fitted, planned_.load()), "");
     };
@@ -368,6 +370,7 @@ class Round {
   unsigned threads_;
   const JobControl& control_;
   JobControl counted_;  // counts what is fitted in the whole round
+  std::mutex reporting_;
   std::atomic<std::size_t> fitted_ = 0;
   std::atomic<std::size_t> planned_ = 0;  // with those that are still ahead
   std::vector<Taken> taken_;              // by shape: the best so far

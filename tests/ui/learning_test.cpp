@@ -238,6 +238,7 @@ TEST_CASE("What was learned is there again after a restart") {
   CHECK(after.steps.back().energy == before.steps.back().energy);
   CHECK(after.steps.back().taken == before.steps.back().taken);
   again.key("L");
+  again.frames(5);  // until the chart has scrolled to its newest round
   again.click("learned:" + std::to_string(after.steps.size()) + ":1");
   CHECK(again.studio().ui.look.has_value());
 }
