@@ -89,7 +89,7 @@ void draw_alternative(Studio& studio, const Alternatives& all, std::size_t part_
   ImGui::PopID();
 }
 
-// The table, in words.
+// How the table is to be read: one line, whatever is decided.
 void draw_decision(Studio& studio, const Alternatives& all) {
   const bool some_ruled_out = std::ranges::any_of(all.fits, [&](const FitAlternative& each) {
     return !std::isfinite(deciding_energy(all, each, correction_in_view(studio)));
@@ -100,8 +100,6 @@ void draw_decision(Studio& studio, const Alternatives& all) {
       "The energy of the fit, with what the spreads of its template cost (a template that expects nothing in "
       "particular would fit every shape), and what other shapes say of the yaw. Point at a number to see its "
       "sum.");
-  if (const std::string why = why_decided(all, correction_in_view(studio)); !why.empty())
-    muted_paragraph(studio, why.c_str());
 }
 
 void draw_alternatives(Studio& studio) {
@@ -198,29 +196,17 @@ void draw_brush(Studio& studio) {
   tooltip("Of the brush, in the unit of the template. Ctrl and the wheel change it too.");
 }
 
-}  // namespace
-
-void draw_corrections_panel(Studio& studio) {
-  draw_alternatives(studio);
-  section_title(studio, "Corrections");
-  const ShapeCorrection correction = correction_in_view(studio);
-  command_toggle(studio, "mark-outlier", std::string(icon::warning) + "  Outlier");
-  ImGui::SameLine();
-  command_toggle(studio, "learn-from-shape", std::string(icon::check) + "  Learn from this");
-  ImGui::SameLine();
-  command_toggle(studio, "paint-labels", std::string(icon::draw) + "  Brush");
-  draw_brush(studio);
+// Lines that come and go.
+void draw_remarks(Studio& studio, const ShapeCorrection& correction) {
+  if (const Alternatives* all = alternatives_of_view(studio))
+    if (const std::string why = why_decided(*all, correction); !why.empty())
+      muted_paragraph(studio, why.c_str());
   draw_pins(studio, correction);
   if (correction.empty())
     muted_paragraph(
         studio,
         "What is pinned, painted or marked here is fitted at once, and holds in every later fit and in "
         "learning.");
-  command_button(studio, "template-from-shape", "Make a template", {share_of_width(2), 0});
-  ImGui::SameLine();
-  command_button(studio, "inspect-beside", studio.ui.inspect.beside ? "Another beside" : "Show one beside",
-                 {share_of_width(1), 0});
-  if (studio.ui.inspect.beside) command_button(studio, "inspect-alone", "Only this shape", {-1, 0});
   const std::size_t outdated = outdated_fits(studio);
   if (outdated > 0 && (!corrections_settled(studio) || is_fitted(studio, studio.collection.path))) {
     muted_paragraph(studio, (plural(outdated, "shape") + " to be fitted anew…").c_str());
@@ -228,6 +214,26 @@ void draw_corrections_panel(Studio& studio) {
     ImGui::TextColored(colours(studio).warning, "%s", (plural(outdated, "fit") + " out of date").c_str());
     command_button(studio, "refit-corrected", std::string(icon::play) + "  Fit them anew", {-1, 0});
   }
+}
+
+}  // namespace
+
+// What is clicked stays where it is while fits come in: remarks are below it.
+void draw_corrections_panel(Studio& studio) {
+  draw_alternatives(studio);
+  section_title(studio, "Corrections");
+  command_toggle(studio, "mark-outlier", std::string(icon::warning) + "  Outlier");
+  ImGui::SameLine();
+  command_toggle(studio, "learn-from-shape", std::string(icon::check) + "  Learn from this");
+  ImGui::SameLine();
+  command_toggle(studio, "paint-labels", std::string(icon::draw) + "  Brush");
+  command_button(studio, "template-from-shape", "Make a template", {share_of_width(2), 0});
+  ImGui::SameLine();
+  command_button(studio, "inspect-beside", studio.ui.inspect.beside ? "Another beside" : "Show one beside",
+                 {share_of_width(1), 0});
+  if (studio.ui.inspect.beside) command_button(studio, "inspect-alone", "Only this shape", {-1, 0});
+  draw_brush(studio);
+  draw_remarks(studio, correction_in_view(studio));
 }
 
 }  // namespace archetype

@@ -220,9 +220,34 @@ TEST_CASE("Marks are switches, and what is selected together is marked together"
   for (const ShapeRow& row : studio.collection.rows()) all.push_back(row.id);
   select_only(studio.ui.selection, all);
   window.click("command:learn-from-shape");
+  REQUIRE(studio.history.current().corrections);
   CHECK(studio.history.current().corrections->size() == 3);
   window.settle();
   for (const ShapeRow& row : studio.collection.rows()) CHECK(row.fit->status == FitStatus::learned);
+}
+
+TEST_CASE("Nothing that is clicked in the corrections moves while what was marked is fitted") {
+  TestWindow window;
+  open_fitted(window, 3);
+  const auto place = [&](const std::string& target) {
+    const auto& targets = window.studio().targets;
+    const auto found = std::ranges::find(targets, target, &Target::name);
+    REQUIRE(found != targets.end());
+    return std::pair(found->low_y, found->high_y);
+  };
+  const std::vector<std::string> clicked{"alternative:chair:0", "command:pin-shown", "command:mark-outlier",
+                                         "command:learn-from-shape", "command:template-from-shape"};
+  std::vector<std::pair<float, float>> before;
+  for (const std::string& each : clicked) before.push_back(place(each));
+  for (const char* mark : {"mark-outlier", "pin-shown", "mark-outlier"}) {
+    REQUIRE(run_command(window.studio(), mark));
+    for (int frame = 0; frame < 20; ++frame) {
+      window.frames();
+      for (std::size_t i = 0; i < clicked.size(); ++i) CHECK(place(clicked[i]) == before[i]);
+    }
+    window.settle();
+    for (std::size_t i = 0; i < clicked.size(); ++i) CHECK(place(clicked[i]) == before[i]);
+  }
 }
 
 TEST_CASE("What was corrected is there when the project is opened again") {
