@@ -54,6 +54,7 @@ bool FigurePage::draw_scene(const Scene& scene, const Camera& camera, double lef
   const Viewport size = viewport(width, height);
   PictureSize wanted{size.width, size.height, fine};
   wanted.line_scale = static_cast<float>(std::max(0.5, options_.width / line_widths / 1.6));
+  const gl::HeadlessTurn turn;
   const auto drawing = draw_large_picture(renderer_, std::move(drawn), camera, wanted, control);
   if (!drawing) return false;
   lay_over(picture_, *drawing, pixels(left), pixels(top));

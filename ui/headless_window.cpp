@@ -17,12 +17,17 @@ void draw_into(const gl::Framebuffer& target) {
 }  // namespace
 
 HeadlessWindow::HeadlessWindow(int width, int height, float scale, StudioOptions options)
+    : HeadlessWindow(gl::HeadlessTurn(), width, height, scale, std::move(options)) {}
+
+HeadlessWindow::HeadlessWindow(const gl::HeadlessTurn&, int width, int height, float scale,
+                               StudioOptions options)
     : target_(width, height), studio_(std::move(options)), scale_(scale) {
   // There is no keyboard with codes of its own: Dear ImGui's keys are their own codes.
   for (int key = 0; key < ImGuiKey_COUNT; ++key) ImGui::GetIO().KeyMap[key] = key;
 }
 
 void HeadlessWindow::frame() {
+  const gl::HeadlessTurn turn;
   imgui_.follow_settings(studio_, scale_);
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(target_.width()), static_cast<float>(target_.height())};
@@ -32,6 +37,11 @@ void HeadlessWindow::frame() {
   draw_into(target_);
   gl::finish();  // as a screen would show it: the measured latencies end here
   frame_shown(studio_);
+}
+
+Picture HeadlessWindow::picture() const {
+  const gl::HeadlessTurn turn;
+  return target_.read();
 }
 
 Picture picture_of_frame() {

@@ -19,9 +19,11 @@ class HeadlessWindow {
   Studio& studio() { return studio_; }
   // One frame, drawn; the mouse and the keys are those that were set in ImGui::GetIO() before.
   void frame();
-  Picture picture() const { return target_.read(); }
+  Picture picture() const;
 
  private:
+  HeadlessWindow(const gl::HeadlessTurn& turn, int width, int height, float scale, StudioOptions options);
+
   gl::HeadlessContext context_;
   ImGuiSession imgui_;
   gl::Framebuffer target_;

@@ -149,7 +149,6 @@ void ask_for_regions(Studio& studio) {
   PointToolState& state = studio.ui.points;
   if (by_outline(state.tool) || state.tool == PointTool::none || !studio.shape.samples) return;
   const RegionKind kind = state.tool == PointTool::segment ? RegionKind::segment : RegionKind::component;
-  if (auto found = studio.region_worker.poll()) state.regions = std::move(*found);
   const std::uint64_t revision = studio.shape.shape_revision;
   if (studio.asked_regions == std::pair(kind, revision)) return;
   studio.asked_regions = {kind, revision};

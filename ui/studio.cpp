@@ -191,6 +191,7 @@ void begin_frame(Studio& studio) {
     if (studio.collection.open()) studio.rows_reader.request(studio.collection.path, false);
   }
   if (auto listing = studio.directory_reader.poll()) studio.directory = std::move(listing);
+  if (auto regions = studio.region_worker.poll()) studio.ui.points.regions = std::move(*regions);
   studio.thumbnails.begin_frame(studio.collection.path);
   studio.thumbnails.follow_colours(studio.history.committed());
   follow_rows(studio);
@@ -230,16 +231,36 @@ void frame_shown(Studio& studio) {
   studio.latency.displayed(studio.live_fit.shown_document, now);
 }
 
+std::string_view under_way(const Studio& studio) {
+  const bool shape_shown = studio.ui.centre == CentreView::shape;
+  const std::pair<bool, std::string_view> all[]{
+      {studio.drag.has_value(), "a drag"},
+      {studio.scroll.has_value(), "a scroll"},
+      {studio.wanted_picture.has_value(), "a picture of the window"},
+      {!studio.jobs.resting(), "a job"},
+      {!studio.shape_loader.idle(), "reading the shape"},
+      {!studio.region_worker.idle(), "regions of the surface"},
+      {!studio.rows_reader.idle(), "reading the collection"},
+      {!studio.directory_reader.idle(), "reading a folder"},
+      {!studio.autosave.saver.idle(), "saving"},
+      {!studio.thumbnails.idle(), "thumbnails"},
+      {!studio.live_fit.worker.idle() || studio.live_fit.newly_shown ||
+           studio.live_fit.asked_shape != studio.shape.shape_revision,
+       "the live fit"},
+      {!strip_settled(studio), "the strip"},
+      {!fit_tables_settled(studio), "tables of fits"},
+      {!corrections_settled(studio), "corrections"},
+      {!inspection_settled(studio), "the inspection"},
+      {cloud_busy(studio), "the cloud"},
+      {!studio.shape_map.maker.idle(), "the map"},
+      {shape_shown && viewport_busy(studio.viewport, studio.shape.shape_revision), "the viewport"}};
+  for (const auto& [busy, what] : all)
+    if (busy) return what;
+  return "";
+}
+
 bool settled(const Studio& studio) {
-  return !studio.drag && !studio.scroll && !studio.wanted_picture && studio.jobs.resting() &&
-         studio.shape_loader.idle() && studio.live_fit.worker.idle() && studio.region_worker.idle() &&
-         studio.rows_reader.idle() && studio.directory_reader.idle() && studio.autosave.saver.idle() &&
-         studio.thumbnails.idle() && !studio.live_fit.newly_shown &&
-         studio.live_fit.asked_shape == studio.shape.shape_revision && strip_settled(studio) &&
-         fit_tables_settled(studio) && corrections_settled(studio) && inspection_settled(studio) &&
-         !cloud_busy(studio) && studio.shape_map.maker.idle() &&
-         (studio.ui.centre != CentreView::shape ||
-          !viewport_busy(studio.viewport, studio.shape.shape_revision));
+  return under_way(studio).empty();
 }
 
 bool wants_frames(const Studio& studio) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/session/furniture_catalog.h"
@@ -130,7 +131,9 @@ void begin_frame(Studio& studio);
 void end_frame(Studio& studio);
 // Once the frame is on the screen: for the measurement of the live fit.
 void frame_shown(Studio& studio);
-// Nothing is under way that a script or a screenshot should wait for.
+// Something that a script or a screenshot should wait for, in a few words; "" where there is nothing.
+std::string_view under_way(const Studio& studio);
+// Nothing is.
 bool settled(const Studio& studio);
 // Something changes by itself (a job reports, a fit comes in), so that frames go on without events.
 bool wants_frames(const Studio& studio);

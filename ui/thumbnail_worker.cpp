@@ -158,6 +158,19 @@ class ThumbnailMaker {
   std::map<TemplateId, PartTemplate> templates_;  // they never change
 };
 
+struct Drawing {
+  explicit Drawing(const fs::path& shaders) : Drawing(gl::HeadlessTurn(), shaders) {}
+  Picture make(const fs::path& project, const WantedThumbnail& wanted) {
+    const gl::HeadlessTurn turn;
+    return maker.make(project, wanted);
+  }
+  gl::HeadlessContext context;
+  ThumbnailMaker maker;
+
+ private:
+  Drawing(const gl::HeadlessTurn&, const fs::path& shaders) : maker(shaders) {}
+};
+
 }  // namespace
 
 ThumbnailSource thumbnail_source(const Project& project, ShapeId shape) {
@@ -177,11 +190,6 @@ bool keep_thumbnail(Project& project, ShapeId shape, const std::string& kind, co
 }
 
 std::function<Picture(ShapeId)> thumbnail_drawer(fs::path project, fs::path shaders) {
-  struct Drawing {
-    explicit Drawing(const fs::path& shader_folder) : maker(shader_folder) {}
-    gl::HeadlessContext context;
-    ThumbnailMaker maker;
-  };
   return [project = std::move(project), shaders = std::move(shaders), failed = false,
           drawing = std::shared_ptr<Drawing>()](ShapeId shape) mutable -> Picture {
     if (failed) return {};
@@ -195,7 +203,7 @@ std::function<Picture(ShapeId)> thumbnail_drawer(fs::path project, fs::path shad
       WantedThumbnail wanted;
       wanted.shape = shape;
       wanted.fitted = true;
-      return drawing->maker.make(project, wanted);
+      return drawing->make(project, wanted);
     } catch (const std::exception&) {  // a file that is gone, broken or too large
       return {};
     }
@@ -238,8 +246,7 @@ std::string ThumbnailWorker::problem() const {
 
 void ThumbnailWorker::run(const std::stop_token& stop) {
   try {
-    std::optional<gl::HeadlessContext> context;  // opened when the first picture is wanted
-    std::optional<ThumbnailMaker> maker;
+    std::optional<Drawing> drawing;  // from the first wanted picture on
     for (;;) {
       std::unique_lock lock(mutex_);
       if (!changed_.wait(lock, stop, [this] { return !wanted_.empty(); }) || stop.stop_requested()) return;
@@ -248,13 +255,10 @@ void ThumbnailWorker::run(const std::stop_token& stop) {
       wanted_.erase(wanted_.begin());
       working_ = true;
       lock.unlock();
-      if (!maker) {
-        context.emplace();
-        maker.emplace(shaders_);
-      }
+      if (!drawing) drawing.emplace(shaders_);
       MadeThumbnail made{project, wanted, {}};
       try {
-        made.picture = maker->make(project, wanted);
+        made.picture = drawing->make(project, wanted);
       } catch (const std::exception&) {
         // A file that is gone, broken or too large: its cell stays without a picture, and the view says why.
       }

@@ -5,6 +5,7 @@
 #include <epoxy/gl.h>
 
 #include <array>
+#include <string>
 
 #include "core/base/error.h"
 
@@ -33,9 +34,17 @@ EGLDisplay open_display() {
   return EGL_NO_DISPLAY;
 }
 
+std::recursive_mutex& turns() {
+  static std::recursive_mutex one;
+  return one;
+}
+
 }  // namespace
 
+HeadlessTurn::HeadlessTurn() : lock_(turns()) {}
+
 HeadlessContext::HeadlessContext() {
+  const HeadlessTurn turn;
   EGLDisplay display = open_display();
   if (display == EGL_NO_DISPLAY) throw Error(std::string("cannot open EGL without a display") + advice);
   const std::array config_wishes{EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
@@ -62,6 +71,7 @@ HeadlessContext::HeadlessContext() {
 }
 
 HeadlessContext::~HeadlessContext() {
+  const HeadlessTurn turn;
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
   // The display is shared by all contexts of the process and is not counted: it stays open.

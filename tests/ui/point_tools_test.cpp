@@ -193,6 +193,16 @@ TEST_CASE("Pieces and segments of the surface get a box by a click on them") {
   }
 }
 
+TEST_CASE("A tool that is laid down before its regions are there leaves nothing under way") {
+  Chair chair;
+  take_point_tool(chair.studio(), PointTool::segment);
+  chair.frames();
+  take_point_tool(chair.studio(), PointTool::segment);
+  CHECK(chair.studio().ui.points.tool == PointTool::none);
+  chair.settle();
+  CHECK(under_way(chair.studio()).empty());
+}
+
 TEST_CASE("A part grows to the points that it is given, and shrinks to those inside") {
   Chair chair;
   add_part(chair.studio().history, {Vec3::Zero(), Vec3::Constant(4), Eigen::Quaterniond::Identity()});

@@ -36,6 +36,7 @@ void TestWindow::settle() {
   const auto start = std::chrono::steady_clock::now();
   frames(3);
   while (!settled(studio())) {
+    INFO("under way: " << std::string(under_way(studio())));
     REQUIRE(std::chrono::steady_clock::now() - start < std::chrono::minutes(1));
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     frames();
