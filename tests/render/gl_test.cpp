@@ -53,7 +53,8 @@ TEST_CASE("a shader that does not compile is told by file and line, also in an i
 
   folder.write("part.glsl", "float one() { return 1.0; }\n");
   CHECK(error_of(good, includes) == "no error");
-  const auto after = folder.write("after.frag", "#version 330 core\n#include \"part.glsl\"\n\nnonsense\n");
+  const auto after = folder.write(
+      "after.frag", "#version 330 core\n#include \"part.glsl\"\n\nfloat f() { return nonsense; }\n");
   CHECK(error_of(good, after).find("after.frag, line 4: ") != std::string::npos);
 
   CHECK(error_of(good, folder.path / "gone.frag").find("gone.frag: cannot read") != std::string::npos);
