@@ -119,11 +119,17 @@ class Round {
   // How many fits are ahead: so many, and those of the divisions that will be tried from template `first` on,
   // as far as it can be told.
   void plan(std::size_t fits, std::size_t first) {
-    std::vector<std::size_t> members(result_.templates.size(), 0);
-    for (const Taken& each : taken_) ++members[each.part_template];
-    for (std::size_t t = first; t < members.size(); ++t) {
-      if (!result_.origins[t].changed && members[t] >= 2 * options_.smallest_cluster)
-        fits += fits_of_division * members[t];
+    for (std::size_t t = first; t < result_.templates.size(); ++t) {
+      std::size_t members = 0;
+      std::vector<std::size_t> judges;
+      for (std::size_t i = 0; i < taken_.size(); ++i) {
+        if (taken_[i].part_template != t || is_pinned_to(i, t)) continue;
+        ++members;
+        if (i < judging_) judges.push_back(i);
+      }
+      const bool divided = !result_.origins[t].changed && members >= 2 * options_.smallest_cluster &&
+                           !about_undivided(result_.templates[t].undivided, judges);
+      if (divided) fits += fits_of_division * members;
     }
     planned_ = fitted_ + fits;
   }
@@ -144,7 +150,8 @@ class Round {
     return take_best(shapes_.size());
   }
 
-  // The best of all templates for each of the first `count` shapes. False if cancelled.
+  // The best of all templates for each of the first `count` shapes. False if cancelled. Throws NumericError
+  // where a shape has no finite energy with any.
   bool take_best(std::size_t count) {
     taken_.assign(count, {});
     const auto shapes = std::span(shapes_).first(count);
@@ -156,6 +163,8 @@ class Round {
           taken_[i] = {t, std::move((*seen)[i])};
       }
     }
+    for (const Taken& each : taken_)
+      if (!std::isfinite(each.seen.choice)) throw NumericError("a shape has a fit of no finite energy");
     return true;
   }
 
@@ -262,6 +271,7 @@ class Round {
       const std::size_t side = split->sides[m];
       taken_[indices[m]] = {side == 0 ? t : result_.templates.size() + side - 1, std::move(split->seen[m])};
     }
+    split->templates.front().pinned = result_.templates[t].pinned;
     result_.templates[t] = std::move(split->templates.front());
     result_.origins[t].changed = true;
     for (LearnedTemplate& child : split->templates | std::views::drop(1)) {
@@ -287,14 +297,11 @@ class Round {
 
   // Of two that did not change yet. False if cancelled.
   bool try_merge(std::size_t a, std::size_t b) {
-    if (result_.origins[a].changed || result_.origins[b].changed) return true;
+    if (result_.origins[a].changed || result_.origins[b].changed || result_.templates[b].pinned) return true;
     const auto [indices, members] = members_of(
         [&](std::size_t i) { return taken_[i].part_template == a || taken_[i].part_template == b; });
     Sides sides;
-    for (const std::size_t i : indices) {
-      if (is_pinned_to(i, b)) return true;
-      sides.push_back(taken_[i].part_template == b ? 1 : 0);
-    }
+    for (const std::size_t i : indices) sides.push_back(taken_[i].part_template == b ? 1 : 0);
     std::optional<TemplateMerge> merge;
     if (!merge_templates(result_.templates[a], result_.templates[b], members, sides, fit_options_, options_,
                          threads_, counted_, merge))
@@ -342,7 +349,7 @@ class Round {
     std::vector<std::size_t> now(members.size(), 0);
     std::size_t kept = 0;
     for (std::size_t t = 0; t < members.size(); ++t) {
-      if (members[t] == 0) {
+      if (members[t] == 0 && !result_.templates[t].pinned) {
         result_.dropped = true;
         continue;
       }
@@ -390,6 +397,7 @@ std::optional<LearningRound> learning_round(std::span<const LearnedTemplate> tem
                                             unsigned threads, const JobControl& control,
                                             std::span<const ShapeCorrection* const> corrections,
                                             std::span<const int> known_yaws) {
+  if (templates.empty()) throw PreconditionError("there is no template to learn from");
   if (!known_yaws.empty() && known_yaws.size() != judging.size())
     throw PreconditionError("judging shapes need a known yaw each");
   return Round(templates, judging, others, fit_options, options, threads, control, corrections, known_yaws)

@@ -40,10 +40,11 @@ struct LearningRound {
 // options.divided_share does and if it lowers the energy by more than its parameters cost. Where nothing else
 // changes, two become one if that lowers the energy (merge_templates.h). `others` are only learned from. The
 // yaws of the judging shapes are decided together (agreed_yaws.h). Templates that no judging shape takes are
-// dropped. Nothing if cancelled. Progress counts the fits of the round, with those ahead as far as it can be
-// told. Deterministic whatever the number of threads; about 3 fits per template and judging shape and one per
-// other shape, and those of the divisions, some 80 per shape. Differs from the paper, which keeps every
-// round's templates: so learning can leave a collection worse.
+// dropped, except those that shapes are pinned to. Nothing if cancelled. Throws PreconditionError without
+// templates, NumericError where a shape has no finite energy with any. Progress counts the fits of the round,
+// with those ahead as far as it can be told. Deterministic whatever the number of threads; about 3 fits per
+// template and judging shape and one per other shape, and those of the divisions, some 80 per shape. Differs
+// from the paper, which keeps every round's templates: so learning can leave a collection worse.
 //
 // corrections: what was corrected by hand, one per shape with the judging ones first, null where nothing was;
 // or none at all. Pinned yaws, templates and labels hold in all fits, and pinned yaws count when yaws are

@@ -23,6 +23,7 @@ bool merge_templates(const LearnedTemplate& first, const LearnedTemplate& second
                      const TemplateMembers& members, const Sides& sides, const FitOptions& fit_options,
                      const LearnOptions& options, unsigned threads, const JobControl& control,
                      std::optional<TemplateMerge>& merge) {
+  merge.reset();
   if (!same_parts(first.part_template, second.part_template)) return true;
   std::size_t of_second = 0;
   for (std::size_t i = 0; i < members.judging; ++i) of_second += sides[i];

@@ -86,7 +86,7 @@ std::vector<std::vector<Members>> partitions(const Eigen::MatrixXd& rows) {
 }
 
 // With the means of an estimate. Differs from the paper, whose templates know nothing but their shapes: later
-// estimates of a child are drawn to where its cluster was found, half-way from its parent. (With the means of
+// estimates of a child are drawn to where its cluster was found. (With the means of
 // the cluster alone vases fall by half a percent, and other classes gain no more.)
 PartTemplate moved_to(PartTemplate part_template, const PartTemplate& estimate) {
   for (std::size_t k = 0; k < part_template.parts.size(); ++k) {

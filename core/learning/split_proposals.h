@@ -13,9 +13,10 @@ namespace archetype {
 struct LearnedTemplate {
   PartTemplate part_template;
   PartTemplate initial;  // what learning or its division began with: the prior; has the same parts
-  // The judging shapes, ascending, whose division was tried last and gained too little; empty where none was
-  // tried since the template changed.
+  // The judging shapes, ascending, whose division was tried last and gained too little, or that were merged;
+  // empty where neither was done since the template changed.
   std::vector<std::size_t> undivided = {};
+  bool pinned = false;  // some shape is pinned to it, judging or not: it stays, with its name
 };
 
 // Shapes that take a template, with what its fits to them say.
@@ -38,7 +39,7 @@ struct SplitProposal {
 // vertical axis. Differs from the paper, which clusters the learning set by dissimilarities of the fitted
 // shapes: a chair fits a bench badly, and where its parts have come to lie on one then tells nothing. A
 // division may be proposed twice, with a child that was stretched and with one that was estimated. All are
-// drawn to where their clusters were found, half-way from their parent, in later estimates. Some 20 of them.
+// drawn to where their clusters were found in later estimates. Some 20 of them.
 std::vector<SplitProposal> split_proposals(const LearnedTemplate& parent, const TemplateMembers& members,
                                            const LearnOptions& options);
 

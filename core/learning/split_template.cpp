@@ -117,6 +117,7 @@ std::optional<double> gain_of_whole(const LearnedTemplate& parent, const Templat
 bool split_template(const LearnedTemplate& parent, const TemplateMembers& members,
                     const FitOptions& fit_options, const LearnOptions& options, unsigned threads,
                     const JobControl& control, std::optional<TemplateSplit>& split) {
+  split.reset();
   // What the same estimate gains without any division is no reason for one.
   std::optional<double> without = gain_of_whole(parent, members, fit_options, options, threads, control);
   if (!without) return false;

@@ -19,12 +19,21 @@
 
 namespace archetype {
 
+namespace {
+
+// Another one where the same request leads to other templates than before: what an earlier program began is
+// not gone on with, but begun anew.
+constexpr int method = 2;
+
+}  // namespace
+
 ContentHash learn_request(const Project& project, const std::vector<PartTemplate>& initial,
                           const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed) {
   // Taken apart by position, so that an option which is added there and forgotten here does not compile.
   const auto& [iterations, sample_size, learning_share, tau, smallest_set, means, spreads, spread_factor,
                feature_spread, agreeing_share, divided_share, cluster_share, smallest_cluster] = options;
-  std::string text = fit_state(initial, fit_options).to_hex() + "\n" + std::to_string(seed) + "\n";
+  std::string text = std::to_string(method) + "\n" + fit_state(initial, fit_options).to_hex() + "\n" +
+                     std::to_string(seed) + "\n";
   for (const double value :
        {static_cast<double>(iterations), static_cast<double>(sample_size), learning_share, tau,
         static_cast<double>(smallest_set), means, spreads, spread_factor, feature_spread, agreeing_share,
@@ -157,7 +166,10 @@ class LearnRun {
       std::vector<ShapeSamples> others;
       const auto key = static_cast<std::uint64_t>(iteration);
       std::vector<ShapeId> other_ids = draw(rest, options_.sample_size, derive_seed(seed_, key));
-      other_ids.insert(other_ids.end(), always.begin(), always.end());
+      const std::vector<ShapeId> wanted = draw(always, options_.sample_size, derive_seed(seed_, key));
+      other_ids.insert(other_ids.end(), wanted.begin(), wanted.end());
+      for (LearnedTemplate& each : state_.templates)
+        each.pinned = corrections_.is_pinned_to(each.part_template.name);
       if (!load(project_, other_ids, control_, others)) return false;
       std::vector<ShapeId> ids = state_.judging;
       ids.insert(ids.end(), other_ids.begin(), other_ids.end());

@@ -68,9 +68,10 @@ std::optional<double> energy_after_trial(const Project& project, const PartTempl
 // their parents and the round; who stops before the first is through changes nothing. A stopped run goes on
 // there, and ends with the same bytes as one that was not stopped, if templates, options, seed, shapes and
 // what was corrected of them are the same; `fresh` starts over. Shapes marked as outliers take no part, those
-// marked to be learned from do in every round; pinned yaws, templates and labels hold (learning_round.h).
-// Works on options.sample_size random shapes that judge each round, and as many that change; holds only
-// these. Throws PreconditionError without templates or shapes, Error where all shapes are marked as outliers.
+// marked to be learned from do in every round (beyond options.sample_size: as many of them, drawn anew);
+// pinned yaws, templates and labels hold (learning_round.h). Works on options.sample_size random shapes that
+// judge each round, and as many that change; holds only these. Throws PreconditionError without templates or
+// shapes, Error where all shapes are marked as outliers.
 LearnReport learn_templates(Project& project, const std::vector<PartTemplate>& initial,
                             const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed,
                             bool fresh, unsigned threads, const JobControl& control);

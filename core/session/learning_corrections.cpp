@@ -1,5 +1,7 @@
 #include "core/session/learning_corrections.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
 
 namespace archetype {
@@ -33,6 +35,12 @@ bool LearningCorrections::is_outlier(ShapeId shape) const {
 bool LearningCorrections::must_learn(ShapeId shape) const {
   const ShapeCorrection* correction = of(shape);
   return correction && correction->mark == ShapeMark::learn;
+}
+
+bool LearningCorrections::is_pinned_to(const std::string& part_template) const {
+  return std::ranges::any_of(corrections_, [&](const auto& each) {
+    return each.second.part_template == part_template && each.second.mark != ShapeMark::outlier;
+  });
 }
 
 std::vector<ShapeId> LearningCorrections::without_outliers(const std::vector<ShapeId>& shapes) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <string>
 #include <vector>
 
 #include "core/io/project.h"
@@ -20,6 +21,8 @@ class LearningCorrections {
   std::vector<const ShapeCorrection*> of(const std::vector<ShapeId>& shapes) const;
   bool is_outlier(ShapeId shape) const;
   bool must_learn(ShapeId shape) const;
+  // Whether some shape is pinned to the template of that name.
+  bool is_pinned_to(const std::string& part_template) const;
   // In their order. Throws Error if all shapes are outliers, and there were some.
   std::vector<ShapeId> without_outliers(const std::vector<ShapeId>& shapes) const;
 
