@@ -10,6 +10,7 @@
 #include "core/base/hash.h"
 #include "core/io/file.h"
 #include "core/session/actions.h"
+#include "core/session/current_templates.h"
 #include "core/session/document_text.h"
 #include "ui/shape_strip.h"
 
@@ -32,9 +33,7 @@ std::string text_of(std::span<const std::int64_t> ids) {
 }
 
 std::string ids_of_current_templates(const Project& project) {
-  std::vector<TemplateId> ids;
-  for (const TemplateRecord& record : project.templates()) ids.push_back(record.id);
-  return text_of(ids);
+  return text_of(current_templates(project).ids);
 }
 
 void store(Project project, const Document& document, const std::string& text,

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/fitting/fit_options.h"
+#include "core/session/current_templates.h"
 #include "core/session/fit_collection.h"
 #include "core/session/fit_state.h"
 #include "ui/project_actions.h"
@@ -45,20 +46,15 @@ ContentHash wanted_state(const ContentHash& state, const Corrections& correction
 
 // Puts back the fits that were made of the corrections as they are now.
 void restore(Project& project, const std::vector<ShapeId>& shapes, const FormerFits& former) {
-  std::vector<PartTemplate> templates;
-  std::vector<TemplateId> ids;
-  for (TemplateRecord& each : project.templates()) {
-    ids.push_back(each.id);
-    templates.push_back(std::move(each.part_template));
-  }
-  const ContentHash state = fit_state(templates, {});
+  const CurrentTemplates current = current_templates(project);
+  const ContentHash state = fit_state(current.templates, {});
   const Corrections corrections = project.corrections();
   Project::Transaction transaction(project);
   for (const ShapeId shape : shapes) {
     const ContentHash wanted = wanted_state(state, corrections, shape);
     const auto of_shape = [&](const FormerFit& each) {
       return each.record.shape == shape && each.record.state == wanted &&
-             std::ranges::find(ids, each.record.part_template) != ids.end();
+             std::ranges::find(current.ids, each.record.part_template) != current.ids.end();
     };
     const auto found = std::find_if(former.rbegin(), former.rend(), of_shape);
     if (found == former.rend()) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/session/current_templates.h"
 #include "core/session/fit_collection.h"
 #include "ui/inspection.h"
 #include "ui/project_actions.h"
@@ -49,8 +50,7 @@ void refit_outdated(Studio& studio) {
       "Fit what was corrected", [&studio, path, threads, document](const JobControl& control) -> Jobs::Apply {
         Project project = Project::open(path);
         store_corrections(project, document);
-        std::vector<PartTemplate> templates;
-        for (TemplateRecord& each : project.templates()) templates.push_back(std::move(each.part_template));
+        const std::vector<PartTemplate> templates = current_templates(project).templates;
         if (templates.empty()) throw Error("the shapes were not fitted yet; fit the template to all shapes");
         const FitCollectionReport report = fit_collection(project, templates, {}, threads, control);
         return [&studio, report] {

@@ -7,6 +7,7 @@
 #include "core/fitting/fit_template.h"
 #include "core/session/actions.h"
 #include "core/session/automatic_start.h"
+#include "core/session/current_templates.h"
 #include "core/session/learn_templates.h"
 #include "core/session/suggest_templates.h"
 #include "ui/learning_flow.h"
@@ -19,12 +20,6 @@ namespace archetype {
 namespace {
 
 constexpr std::uint64_t learning_seed = 1;  // that of the batch program
-
-std::vector<PartTemplate> current_templates(const Project& project) {
-  std::vector<PartTemplate> templates;
-  for (TemplateRecord& record : project.templates()) templates.push_back(std::move(record.part_template));
-  return templates;
-}
 
 std::vector<PartTemplate> templates_of(const Document& document) {
   std::vector<PartTemplate> templates;
@@ -104,7 +99,7 @@ void learn_from(Studio& studio, Start from) {
         store_corrections(project, document);
         // The templates of the project may be those of a learning that was stopped: it is gone on with.
         const bool of_project =
-            from == Start::document && current_templates(project) == templates_of(document);
+            from == Start::document && current_templates(project).templates == templates_of(document);
         std::vector<PartTemplate> start;
         if (from == Start::shapes) {
           const auto chosen = automatic_start(project, {}, {}, learning_seed, threads, control);
@@ -115,7 +110,7 @@ void learn_from(Studio& studio, Start from) {
         }
         const LearnReport report =
             learn_templates(project, start, {}, {}, learning_seed, false, threads, control);
-        const std::vector<PartTemplate> learned = current_templates(project);
+        const std::vector<PartTemplate> learned = current_templates(project).templates;
         return [&studio, path, document, from, of_project, report, learned, title] {
           if (studio.collection.path != path) return;
           const bool nothing = report.cancelled && report.steps.empty();

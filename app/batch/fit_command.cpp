@@ -6,6 +6,7 @@
 #include "app/batch/progress.h"
 #include "core/base/error.h"
 #include "core/io/template_file.h"
+#include "core/session/current_templates.h"
 #include "core/session/fit_collection.h"
 
 namespace archetype {
@@ -25,9 +26,7 @@ std::vector<PartTemplate> chosen_templates(const std::vector<std::filesystem::pa
   std::vector<PartTemplate> templates;
   templates.reserve(files.size());
   for (const std::filesystem::path& file : files) templates.push_back(read_template(file));
-  if (files.empty()) {
-    for (TemplateRecord& record : project.templates()) templates.push_back(std::move(record.part_template));
-  }
+  if (files.empty()) templates = current_templates(project).templates;
   if (templates.empty())
     throw FileError(project.path(), "has no template yet; give one with --template FILE");
   return templates;

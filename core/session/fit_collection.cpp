@@ -14,6 +14,7 @@
 #include "core/fitting/pinned_labels.h"
 #include "core/fitting/template_choice.h"
 #include "core/session/commit_pace.h"
+#include "core/session/current_templates.h"
 #include "core/session/fit_state.h"
 #include "core/session/learned_yaws.h"
 #include "core/session/ordered_pipeline.h"
@@ -332,12 +333,7 @@ FitCollectionReport fit_collection(Project& project, const std::vector<PartTempl
 
 FitCollectionReport fit_corrected(Project& project, std::span<const ShapeId> shapes, unsigned threads,
                                   const JobControl& control) {
-  std::vector<PartTemplate> templates;
-  std::vector<TemplateId> ids;
-  for (TemplateRecord& each : project.templates()) {
-    ids.push_back(each.id);
-    templates.push_back(std::move(each.part_template));
-  }
+  auto [templates, ids] = current_templates(project);
   if (templates.empty()) return {};
   const FitOptions options;
   return FitRun(project, templates, options, control).run_corrected(shapes, std::move(ids), threads);

@@ -13,6 +13,7 @@
 #include "core/base/random.h"
 #include "core/io/correction_text.h"
 #include "core/learning/learning_round.h"
+#include "core/session/current_templates.h"
 #include "core/session/fit_state.h"
 #include "core/session/learning_corrections.h"
 #include "core/session/learning_state.h"
@@ -289,15 +290,10 @@ std::optional<LearningRecord> learning_record(const Project& project) {
 }
 
 std::vector<PartTemplate> learning_start(const Project& project) {
-  std::vector<TemplateId> ids;
-  std::vector<PartTemplate> current;
-  for (TemplateRecord& record : project.templates()) {
-    ids.push_back(record.id);
-    current.push_back(std::move(record.part_template));
-  }
+  CurrentTemplates current = current_templates(project);
   std::optional<LearningState> stored = stored_learning_state(project);
-  if (stored && stored->ids == ids) return std::move(stored->start);
-  return current;
+  if (stored && stored->ids == current.ids) return std::move(stored->start);
+  return std::move(current.templates);
 }
 
 std::optional<double> energy_after_trial(const Project& project, const PartTemplate& start,

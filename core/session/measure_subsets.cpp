@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/base/random.h"
+#include "core/session/current_templates.h"
 
 namespace archetype {
 namespace {
@@ -28,12 +29,6 @@ bool copy_shapes(const Project& from, std::span<const ShapeId> shapes, Project& 
     if (const auto record = from.find_shape(shape)) to.add_shape(*record, from.samples(shape));
   }
   return true;
-}
-
-std::vector<PartTemplate> current_templates(const Project& project) {
-  std::vector<PartTemplate> templates;
-  for (TemplateRecord& each : project.templates()) templates.push_back(std::move(each.part_template));
-  return templates;
 }
 
 // A number that was not measured is negative.
@@ -84,7 +79,7 @@ std::optional<std::vector<SubsetMeasure>> measure_subsets(const Project& project
     taken = wanted;
     const LearnReport report = learn_templates(subset, start, {}, {}, seed, true, threads, control);
     if (report.cancelled) return std::nullopt;
-    const std::vector<PartTemplate> learned = current_templates(subset);
+    const std::vector<PartTemplate> learned = current_templates(subset).templates;
     SubsetMeasure measure{taken, learned.size(), report.learning_seconds, report.fitting_seconds};
     if (held > 0) {
       if (fit_collection(judging, learned, {}, threads, control).cancelled) return std::nullopt;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/fitting/agreed_yaws.h"
+#include "core/session/current_templates.h"
 #include "core/session/fit_state.h"
 #include "core/session/yaw_energies.h"
 
@@ -28,12 +29,7 @@ std::vector<ShapeId> yaw_voters(const Project& project, const KnownYaws& known) 
 
 std::optional<std::array<double, 4>> kept_yaw_costs(const Project& project, ShapeId shape,
                                                     const JobControl& control) {
-  std::vector<PartTemplate> templates;
-  std::vector<TemplateId> ids;
-  for (TemplateRecord& each : project.templates()) {
-    ids.push_back(each.id);
-    templates.push_back(std::move(each.part_template));
-  }
+  const auto [templates, ids] = current_templates(project);
   const KnownYaws known = learned_yaws(project, ids);
   const std::vector<ShapeId> asked = yaw_voters(project, known);
   const ContentHash state = yaw_energies_state(project, fit_state(templates, {}), asked);
