@@ -12,7 +12,7 @@
 namespace archetype {
 namespace {
 
-std::vector<glm::vec3> to_glm(std::vector<Eigen::Vector3f> points) {
+std::vector<glm::vec3> to_glm(const std::vector<Eigen::Vector3f>& points) {
   std::vector<glm::vec3> result;
   result.reserve(points.size());
   for (const Eigen::Vector3f& p : points) result.emplace_back(p.x(), p.y(), p.z());
@@ -91,9 +91,9 @@ std::optional<std::shared_ptr<const CloudContent>> read_cloud(const CloudContent
   if (!cloud) return std::nullopt;
   auto content = std::make_shared<CloudContent>();
   auto points = std::make_shared<PointGeometry>();
-  points->positions = to_glm(std::move(cloud->rigid));
-  points->moved = to_glm(std::move(cloud->deformed));
-  points->normals = to_glm(std::move(cloud->normals));
+  points->positions = to_glm(cloud->rigid);
+  points->moved = to_glm(cloud->deformed);
+  points->normals = to_glm(cloud->normals);
   content->displacement.reserve(points->positions.size());
   for (std::size_t i = 0; i < points->positions.size(); ++i)
     content->displacement.push_back(glm::distance(points->positions[i], points->moved[i]));

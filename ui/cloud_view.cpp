@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "core/base/random.h"
+#include "core/base/sort_unique.h"
 #include "core/session/same_part.h"
 #include "ui/studio.h"
 
@@ -109,9 +110,7 @@ void follow_marks(Studio& studio, bool other_content) {
     if (studio.ui.cloud.scope != CloudScope::selection)
       for (const ShapeId id : studio.ui.selection.shapes) add(id);
     if (studio.ui.selection.hovered) add(*studio.ui.selection.hovered);
-    std::ranges::sort(shapes);
-    const auto doubles = std::ranges::unique(shapes);
-    shapes.erase(doubles.begin(), doubles.end());
+    sort_unique(shapes);
   }
   if (shapes == view.marked_shapes && !other_content) return;
   view.marked = shapes.empty() ? nullptr : points_of_shapes(*view.content, shapes);

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/sort_unique.h"
 #include "core/fitting/fit_options.h"
 #include "core/session/current_templates.h"
 #include "core/session/fit_collection.h"
@@ -33,9 +34,7 @@ std::vector<ShapeId> changed_shapes(const std::shared_ptr<const Corrections>& be
   };
   look(a, b);
   look(b, a);
-  std::ranges::sort(changed);
-  const auto doubles = std::ranges::unique(changed);
-  changed.erase(doubles.begin(), doubles.end());
+  sort_unique(changed);
   return changed;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/sort_unique.h"
+
 namespace archetype {
 
 bool is_selected(const ExplorerSelection& selection, ShapeId shape) {
@@ -9,9 +11,7 @@ bool is_selected(const ExplorerSelection& selection, ShapeId shape) {
 }
 
 void select_only(ExplorerSelection& selection, std::vector<ShapeId> shapes) {
-  std::ranges::sort(shapes);
-  const auto doubles = std::ranges::unique(shapes);
-  shapes.erase(doubles.begin(), doubles.end());
+  sort_unique(shapes);
   if (shapes == selection.shapes) return;
   selection.shapes = std::move(shapes);
   ++selection.revision;

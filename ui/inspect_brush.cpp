@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 
+#include "core/base/sort_unique.h"
 #include "core/session/correction_actions.h"
 #include "render/picking.h"
 #include "ui/studio.h"
@@ -89,9 +90,7 @@ void paint(Studio& studio, const InspectContent& content, const Viewport& viewpo
     under.insert(under.end(), touched.begin(), touched.end());
     if (touched.empty()) under.push_back(at.sample);  // a small brush between the samples
   }
-  std::ranges::sort(under);
-  const auto doubles = std::ranges::unique(under);
-  under.erase(doubles.begin(), doubles.end());
+  sort_unique(under);
   std::vector<std::uint32_t> more;
   std::ranges::set_difference(under, inspection.stroke, std::back_inserter(more));
   const std::vector<std::uint32_t> touched = seen_samples(content, inspection.camera, viewport, more);

@@ -22,8 +22,8 @@ std::vector<PinnedLabel> pinned_labels(const PinnedParts& pinned, const PartTemp
     }
   }
   std::ranges::stable_sort(result, {}, &PinnedLabel::sample);
-  const auto doubles = std::ranges::unique(result, {}, &PinnedLabel::sample);
-  result.erase(doubles.begin(), doubles.end());
+  const auto same = [](const PinnedLabel& a, const PinnedLabel& b) { return a.sample == b.sample; };
+  result.erase(std::unique(result.begin(), result.end(), same), result.end());
   return result;
 }
 

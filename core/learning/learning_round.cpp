@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
-#include <ranges>
 #include <set>
 
 #include "core/base/error.h"
@@ -274,7 +273,7 @@ class Round {
     split->templates.front().pinned = result_.templates[t].pinned;
     result_.templates[t] = std::move(split->templates.front());
     result_.origins[t].changed = true;
-    for (LearnedTemplate& child : split->templates | std::views::drop(1)) {
+    for (LearnedTemplate& child : std::span(split->templates).subspan(1)) {
       child.part_template.name = child.initial.name = free_name(name);
       result_.templates.push_back(std::move(child));
       result_.origins.push_back({t, true});

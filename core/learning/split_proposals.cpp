@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
+#include <numeric>
+#include <span>
 
 #include "core/fitting/starting_boxes.h"
 #include "core/geometry/shape_profile.h"
@@ -183,10 +184,10 @@ class Proposals {
 
   // Sides are the same whatever their numbers.
   bool is_there(const Sides& sides, std::size_t count) const {
-    return std::ranges::any_of(proposals_ | std::views::drop(others_), [&](const SplitProposal& known) {
+    return std::ranges::any_of(std::span(proposals_).subspan(others_), [&](const SplitProposal& known) {
       if (known.templates.size() != count) return false;
       std::vector<std::size_t> order(count);
-      std::ranges::copy(std::views::iota(std::size_t{0}, count), order.begin());
+      std::iota(order.begin(), order.end(), std::size_t{0});
       std::size_t most = 0;
       do {
         std::size_t same = 0;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <ranges>
 
 #include "core/learning/parameter_cost.h"
 
@@ -69,8 +68,9 @@ class Division {
       seen_[side] = std::move(*seen);
     }
     for (std::size_t i = 0; i < sides_.size(); ++i) {
-      const auto choice = [&](std::size_t side) { return seen_[side][i].choice; };
-      sides_[i] = std::ranges::min(std::views::iota(std::size_t{0}, templates_.size()), {}, choice);
+      sides_[i] = 0;
+      for (std::size_t side = 1; side < templates_.size(); ++side)
+        if (seen_[side][i].choice < seen_[sides_[i]][i].choice) sides_[i] = side;
     }
     return true;
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/sort_unique.h"
 
 namespace archetype {
 namespace {
@@ -48,9 +49,7 @@ void check_yaw(int quarters) {
 
 Samples sorted(std::span<const std::uint32_t> samples) {
   Samples result(samples.begin(), samples.end());
-  std::ranges::sort(result);
-  const auto doubles = std::ranges::unique(result);
-  result.erase(doubles.begin(), doubles.end());
+  sort_unique(result);
   return result;
 }
 
