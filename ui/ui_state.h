@@ -155,7 +155,9 @@ struct UiState {
   KeyChange key_change;              // in that list
   bool about = false;                // with the credits
   Closing closing;
-  std::string status;  // the line at the bottom: what was done last
+  std::string status;               // the line at the bottom: what was done last
+  std::uint64_t told_revision = 0;  // the committed revision of the history that it has told of
+  std::string told_status;          // and what it said then
 };
 
 }  // namespace archetype
