@@ -87,6 +87,9 @@ void ask_for_fit(Studio& studio) {
   if (correction && correction->yaw_quarters) {
     request.options.yaw_costs = pinned_yaw_costs({}, *correction);
     request.keep_yaw = false;
+    // Turned by hand it does not stand as it was drawn on; when it is free again, its yaw is found anew.
+    if (studio.shape.fit && studio.shape.fit->fit.yaw_quarters != *correction->yaw_quarters)
+      studio.ui.points.made_on = 0;
   }
   if (correction && studio.shape.record && correction->sampling == sampling_of(*studio.shape.record))
     request.pinned = pinned_labels(correction->pinned, *shown, studio.shape.samples->size());
