@@ -102,6 +102,7 @@ struct Suggestion {
 struct LearningChoice {
   std::optional<std::size_t> round;          // nothing: the newest one
   std::optional<std::size_t> part_template;  // of that round
+  bool bring_into_sight = true;              // once: it was chosen where its column may be out of sight
 };
 
 // The shapes of the strip, in its order.
