@@ -155,8 +155,10 @@ void draw_template(Studio& studio, const FitTable& table, const ShapeCluster& cl
   if (ImGui::Button(icon::more, {button, 0})) ImGui::OpenPopup("menu");
   mark_target(studio, "cluster-menu:" + std::to_string(record.id));
   draw_menu(studio, table, cluster);
-  muted_text(studio,
-             count_of(cluster) + (cluster.all == 0 ? "" : ", mean energy " + number(cluster.mean_energy)));
+  // Fits with what the rounds leave are made once, after the last.
+  const bool to_come = cluster.all == 0 && learning_job(studio).has_value();
+  const std::string energy = cluster.all == 0 ? "" : ", mean energy " + number(cluster.mean_energy);
+  muted_text(studio, to_come ? "its shapes come when learning ends" : count_of(cluster) + energy);
   if (record.iteration > 0) tooltip(("Learned in round " + std::to_string(record.iteration)).c_str());
   draw_legend(studio, record, right);
   ImGui::PopID();

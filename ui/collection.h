@@ -24,6 +24,7 @@ namespace archetype {
 struct CollectionRows {
   std::vector<ShapeRow> rows;  // ordered by name
   std::vector<RefusedInput> refused;
+  std::vector<PartTemplate> templates;             // the project's current ones
   std::shared_ptr<const LearningRecord> learning;  // null: nothing was learned yet
   GroundTruthFolders truth;                        // where it is, as far as is known
   std::vector<SubsetMeasure> subsets;              // how learning grows, if it was measured

@@ -98,8 +98,9 @@ std::optional<Picture> fit_figure(const FigureRequest& request, const JobControl
   // One camera for all, so that they can be compared.
   const Camera camera = figure_camera(boxes, page.viewport(width, height));
   for (std::size_t i = 0; i < panels.size(); ++i) {
+    const std::size_t above = i / 2;
     const double left = margin + static_cast<double>(i % 2) * (width + gap);
-    const double top = margin + static_cast<double>(i / 2) * row;
+    const double top = margin + static_cast<double>(above) * row;
     if (!page.draw_scene(*panels[i].first, camera, left, top, width, height, control)) return std::nullopt;
     page.write(panels[i].second, left, top + height, text, FigurePage::Style::bold, width);
   }

@@ -73,8 +73,8 @@ void draw_statuses(Studio& studio) {
                                 std::pair(FitStatus::fitted, "fitted"),
                                 std::pair(FitStatus::outlier, "outlier")};
   for (const auto& [status, name] : statuses) {
-    const std::size_t count =
-        count_rows(studio, [&](const ShapeRow& row) { return row.fit && row.fit->status == status; });
+    const std::size_t count = count_rows(
+        studio, [&, wanted = status](const ShapeRow& row) { return row.fit && row.fit->status == wanted; });
     const bool on = std::ranges::find(filter.hidden_statuses, status) == filter.hidden_statuses.end();
     if (count == 0 && on) continue;
     if (chips.chip("filter-status:" + std::string(to_string(status)),

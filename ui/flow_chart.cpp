@@ -150,11 +150,15 @@ std::string facts_of(const FlowNode& node, const FlowColumn& column, const Learn
   std::string text = node.part_template->name + "\n" + plural(node.members.size(), "judging shape") + ", " +
                      plural(node.part_template->parts.size(), "part");
   if (column.round == 0) return text + "\nlearning began with it";
+  const FlowColumn& before = columns[static_cast<std::size_t>(column.round) - 1];
+  for (const FlowEnd& end : column.ended)
+    if (end.into && &column.nodes[*end.into] == &node)
+      text.append("\n").append(end_text(before, column, end));
   if (!node.spawned)
     return text + (node.changed ? "\nre-estimated in this round" : "\nas in the round before");
   const std::size_t parent = *record.lines[node.line].parent;
-  for (const FlowNode& before : columns[static_cast<std::size_t>(column.round) - 1].nodes)
-    if (before.line == parent) text += "\nspawned by " + before.part_template->name + " in this round";
+  for (const FlowNode& from : before.nodes)
+    if (from.line == parent) text += "\nspawned by " + from.part_template->name + " in this round";
   return text;
 }
 
@@ -293,10 +297,15 @@ std::optional<LearningChoice> draw_flow_chart(Studio& studio, const std::vector<
   if (coming) draw_coming(studio, chart, columns.size(), at.y);
   ImGui::SetCursorScreenPos(at);
   ImGui::Dummy({whole, chart.low.y + chart.height - at.y});
-  // Begins at the newest round and follows it unless somebody has scrolled back.
-  if (ImGui::IsWindowAppearing())
+  // Begins at the newest round and follows it unless somebody has scrolled back or chosen another one.
+  if (chosen.round && chosen.bring_into_sight) {
+    const float left = chart.pitch * static_cast<float>(*chosen.round);
+    const float right = left + chart.node_width + 4 * scale;
+    if (left < ImGui::GetScrollX()) ImGui::SetScrollX(left);
+    if (right > ImGui::GetScrollX() + size.x) ImGui::SetScrollX(right - size.x);
+  } else if (ImGui::IsWindowAppearing() && !chosen.round)
     ImGui::SetScrollX(whole);
-  else if (ImGui::GetScrollX() >= ImGui::GetScrollMaxX() - chart.pitch * 1.1f)
+  else if (!chosen.round && ImGui::GetScrollX() >= ImGui::GetScrollMaxX() - chart.pitch * 1.1f)
     ImGui::SetScrollX(ImGui::GetScrollMaxX());
   ImGui::EndChild();
   return clicked;

@@ -65,6 +65,13 @@ bool holds_learned(const Studio& studio) {
   });
 }
 
+// Learning begins with all templates of the document where these are the project's current ones, or those
+// that its learning began with: that is undone, and shall be done again. Otherwise with the active one.
+bool begins_with_all(const std::vector<PartTemplate>& of_document, const std::vector<PartTemplate>& current,
+                     const LearningRecord* record) {
+  return of_document == current || (record && of_document == record->start);
+}
+
 std::string names_of(const std::vector<PartTemplate>& templates) {
   constexpr std::size_t most = 3;
   std::string text;
@@ -97,21 +104,24 @@ void learn_from(Studio& studio, Start from) {
       title, [&studio, path, threads, document, from, title](const JobControl& control) -> Jobs::Apply {
         Project project = Project::open(path);
         store_corrections(project, document);
-        // The templates of the project may be those of a learning that was stopped: it is gone on with.
-        const bool of_project =
-            from == Start::document && current_templates(project).templates == templates_of(document);
+        const std::vector<PartTemplate> current = current_templates(project).templates;
+        const auto record = learning_record(project);
+        const bool all = from == Start::document &&
+                         begins_with_all(templates_of(document), current, record ? &*record : nullptr);
         std::vector<PartTemplate> start;
         if (from == Start::shapes) {
           const auto chosen = automatic_start(project, {}, {}, learning_seed, threads, control);
           if (!chosen) return {};
           start = {*chosen};
         } else {
-          start = of_project ? learning_start(project) : std::vector{*document.active_template()};
+          start = all ? templates_of(document) : std::vector{*document.active_template()};
+          // Those of a learning that was stopped: it is gone on with.
+          if (start == current) start = learning_start(project);
         }
         const LearnReport report =
             learn_templates(project, start, {}, {}, learning_seed, false, threads, control);
         const std::vector<PartTemplate> learned = current_templates(project).templates;
-        return [&studio, path, document, from, of_project, report, learned, title] {
+        return [&studio, path, document, from, all, report, learned, title] {
           if (studio.collection.path != path) return;
           const bool nothing = report.cancelled && report.steps.empty();
           if (nothing)
@@ -122,7 +132,7 @@ void learn_from(Studio& studio, Start from) {
           const bool beside = from == Start::shapes && !document.templates.empty();
           if (same && !beside) {
             take_learned(studio.history, learned,
-                         of_project || from == Start::shapes ? LearnedFrom::all : LearnedFrom::active, title);
+                         all || from == Start::shapes ? LearnedFrom::all : LearnedFrom::active, title);
           } else {
             for (const PartTemplate& each : learned) add_template(studio.history, each, "Learn " + each.name);
           }
@@ -209,6 +219,9 @@ std::string what_learning_begins_with(const Studio& studio) {
   const Document& document = studio.history.committed();
   const std::size_t count = document.templates.size();
   if (!holds_learned(studio)) {
+    const CollectionRows& content = studio.collection.content;
+    if (count > 1 && begins_with_all(templates_of(document), content.templates, content.learning.get()))
+      return "begins with " + names_of(templates_of(document)) + " as they are in the editor";
     std::string text = "begins with “" + document.active_template()->name + "” as it is in the editor";
     if (count == 2) text += "; the other template of the document stays as it is";
     if (count > 2)

@@ -48,6 +48,17 @@ void connect(const FlowColumn& before, FlowColumn& column) {
   for (auto& [ends, band] : bands) column.bands.push_back(std::move(band));
 }
 
+void find_ends(const FlowColumn& before, FlowColumn& column) {
+  for (std::size_t from = 0; from < before.nodes.size(); ++from) {
+    if (std::ranges::find(column.nodes, before.nodes[from].line, &FlowNode::line) != column.nodes.end())
+      continue;
+    FlowEnd end{from, std::nullopt};
+    if (std::ranges::count(column.bands, from, &FlowBand::from) == 1)
+      end.into = std::ranges::find(column.bands, from, &FlowBand::from)->to;
+    column.ended.push_back(end);
+  }
+}
+
 const PartTemplate* find_learned(const LearningRecord& record, TemplateId id) {
   const auto found = std::ranges::lower_bound(record.templates, id, {}, &TemplateRecord::id);
   return &found->part_template;
@@ -72,9 +83,20 @@ std::vector<FlowColumn> learning_flow(const LearningRecord& record) {
     for (std::size_t shape = 0; shape < step.taken.size(); ++shape)
       column.nodes[step.taken[shape]].members.push_back(shape);
     connect(columns.back(), column);
+    find_ends(columns.back(), column);
     columns.push_back(std::move(column));
   }
   return columns;
+}
+
+std::string end_text(const FlowColumn& before, const FlowColumn& column, const FlowEnd& end) {
+  const FlowNode& gone = before.nodes[end.from];
+  const std::string name = "“" + gone.part_template->name + "”";
+  if (end.into) {
+    const std::string& with = column.nodes[*end.into].part_template->name;
+    return name + " and “" + with + "” became one, “" + with + "”";
+  }
+  return name + " is gone: " + (gone.members.empty() ? "no shape took it" : "its shapes take several others");
 }
 
 std::string round_name(std::size_t round) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,16 +27,27 @@ struct FlowBand {
   std::vector<std::size_t> shapes;  // indices into LearningRecord::judging
 };
 
+// A line that goes on no more.
+struct FlowEnd {
+  std::size_t from = 0;  // its node in the column before
+  std::optional<std::size_t>
+      into;  // the node that has all of its shapes now; nothing: it had none, or several do
+};
+
 struct FlowColumn {
   int round = 0;  // 0: what learning began with
   std::vector<FlowNode> nodes;
   std::vector<FlowBand> bands;  // from the column before; ordered by from, then to
-  std::size_t moved = 0;        // shapes
+  std::vector<FlowEnd> ended;
+  std::size_t moved = 0;  // shapes
 };
 
 // One column more than there are whole rounds. Which shapes took which template at the start is not stored:
 // they count to that which theirs after the first round comes from. Points into the record.
 std::vector<FlowColumn> learning_flow(const LearningRecord& record);
+
+// What became of it: "“stool” and “chair” became one, “chair”".
+std::string end_text(const FlowColumn& before, const FlowColumn& column, const FlowEnd& end);
 
 std::string round_name(std::size_t round);  // "the start", "round 1"
 

@@ -127,6 +127,11 @@ void draw_moved(Studio& studio, const LearningRecord& record, const std::vector<
   }
   const std::string title = plural(column.moved, "shape") + " moved in " + round_name(c);
   ImGui::TextUnformatted(title.c_str());
+  for (const FlowEnd& end : column.ended) {
+    ImGui::PushTextWrapPos();
+    ImGui::TextUnformatted(end_text(columns[c - 1], column, end).c_str());
+    ImGui::PopTextWrapPos();
+  }
   if (column.moved == 0) muted_paragraph(studio, "Click a template to see its members and its boxes.");
   for (const FlowBand& band : column.bands) {
     if (!band.moved) continue;
@@ -240,8 +245,9 @@ void draw_learning_panel(Studio& studio) {
   ImGui::SameLine();
   const float flow = std::max(room.x - plot - details - 2 * gap, 160 * studio.fonts.scale);
   const bool coming = job && !record->settled;
-  if (const auto clicked =
-          draw_flow_chart(studio, columns, *record, studio.ui.learning, coming, {flow, height})) {
+  const auto clicked = draw_flow_chart(studio, columns, *record, studio.ui.learning, coming, {flow, height});
+  studio.ui.learning.bring_into_sight = false;
+  if (clicked) {
     studio.ui.learning = *clicked;
     if (clicked->part_template) look_into_round(studio, *clicked->round, *clicked->part_template);
   }

@@ -87,6 +87,9 @@ void ask_for_fit(Studio& studio) {
   if (correction && correction->yaw_quarters) {
     request.options.yaw_costs = pinned_yaw_costs({}, *correction);
     request.keep_yaw = false;
+    // Turned by hand it does not stand as it was drawn on; when it is free again, its yaw is found anew.
+    if (studio.shape.fit && studio.shape.fit->fit.yaw_quarters != *correction->yaw_quarters)
+      studio.ui.points.made_on = 0;
   }
   if (correction && studio.shape.record && correction->sampling == sampling_of(*studio.shape.record))
     request.pinned = pinned_labels(correction->pinned, *shown, studio.shape.samples->size());
@@ -161,6 +164,17 @@ void follow_rows(Studio& studio) {
   studio.rows_reader.request(studio.collection.path, false);
 }
 
+// An edit is told of at the bottom, unless who made it has said more; what was told before is of the past.
+void tell_edit(Studio& studio) {
+  const History& history = studio.history;
+  const bool edited = history.committed_revision() != studio.ui.told_revision;
+  const bool newest = history.position() > 0 && !history.can_redo();  // undo tells of itself
+  if (edited && newest && studio.ui.status == studio.ui.told_status)
+    studio.ui.status = "Done: " + history.entries().back().message;
+  studio.ui.told_revision = history.committed_revision();
+  studio.ui.told_status = studio.ui.status;
+}
+
 }  // namespace
 
 Studio::Studio(StudioOptions given)
@@ -211,6 +225,7 @@ void begin_frame(Studio& studio) {
 
 void end_frame(Studio& studio) {
   note_edit(studio);
+  tell_edit(studio);
   keep_selection_valid(studio);
   ask_for_fit(studio);
   end_strip(studio);

@@ -102,6 +102,7 @@ struct Suggestion {
 struct LearningChoice {
   std::optional<std::size_t> round;          // nothing: the newest one
   std::optional<std::size_t> part_template;  // of that round
+  bool bring_into_sight = true;              // once: it was chosen where its column may be out of sight
 };
 
 // The shapes of the strip, in its order.
@@ -155,7 +156,9 @@ struct UiState {
   KeyChange key_change;              // in that list
   bool about = false;                // with the credits
   Closing closing;
-  std::string status;  // the line at the bottom: what was done last
+  std::string status;               // the line at the bottom: what was done last
+  std::uint64_t told_revision = 0;  // the committed revision of the history that it has told of
+  std::string told_status;          // and what it said then
 };
 
 }  // namespace archetype

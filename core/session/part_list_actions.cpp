@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/learning/mirror_symmetry.h"
+#include "core/model/part_colours.h"
 #include "core/session/mirror_pairs.h"
 #include "core/session/template_edit.h"
 
@@ -14,17 +16,45 @@ namespace {
 
 constexpr double own_image = 0.03;  // a part nearer to its mirror image than this is it, in units of its size
 
-// Puts them at a place of the list with free names; without links, as what they came from may be linked
-// elsewhere.
+// Which of the part_colour_count colours a part is drawn in.
+int colour_number(const PartTemplate& part_template, std::size_t part) {
+  const int own = part_template.parts[part].colour;
+  return own >= 0 ? own : static_cast<int>(part % std::size_t{part_colour_count});
+}
+
+// Parts that come to another place of the list, as those from a place on will, keep the colours that they
+// have been seen in: who has learned that the back is orange need not look again.
+void keep_colours(PartTemplate& part_template, std::size_t from) {
+  for (std::size_t i = from; i < part_template.parts.size(); ++i)
+    part_template.parts[i].colour = colour_number(part_template, i);
+}
+
+// Another colour for a part whose own is that of another part, as long as there is one.
+void give_free_colour(PartTemplate& part_template, std::size_t part) {
+  std::set<int> used;
+  for (std::size_t i = 0; i < part_template.parts.size(); ++i)
+    if (i != part) used.insert(colour_number(part_template, i));
+  if (!used.contains(colour_number(part_template, part))) return;
+  for (int colour = 0; colour < part_colour_count; ++colour)
+    if (!used.contains(colour)) {
+      part_template.parts[part].colour = colour;
+      return;
+    }
+}
+
+// Puts them at a place of the list with free names and colours; without links, as what they came from may be
+// linked elsewhere.
 PartList insert_parts(PartTemplate& part_template, std::vector<TemplatePart> added, std::size_t at) {
   expect_room(part_template, added.size());
+  keep_colours(part_template, at);
   PartList places;
   for (TemplatePart& part : added) {
     part.name = free_part_name(part_template, part.name);
     part.mirror = {};
     places.push_back(at);
-    part_template.parts.insert(part_template.parts.begin() + static_cast<std::ptrdiff_t>(at++),
+    part_template.parts.insert(part_template.parts.begin() + static_cast<std::ptrdiff_t>(at),
                                std::move(part));
+    give_free_colour(part_template, at++);
   }
   return places;
 }
@@ -60,6 +90,7 @@ std::string other_side(std::string name) {
 }
 
 void erase_parts(PartTemplate& part_template, const PartList& sorted) {
+  keep_colours(part_template, sorted.front());
   for (auto part = sorted.rbegin(); part != sorted.rend(); ++part)
     part_template.parts.erase(part_template.parts.begin() + static_cast<std::ptrdiff_t>(*part));
   drop_lone_links(part_template);

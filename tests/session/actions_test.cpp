@@ -5,10 +5,14 @@
 
 #include <functional>
 #include <limits>
+#include <map>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/io/template_file.h"
+#include "core/model/part_colours.h"
 
 using namespace archetype;
 
@@ -159,6 +163,53 @@ TEST_CASE("Sizes stay positive, existence stays a probability, names stay unique
   CHECK(active(history).parts[3].label == active(history).parts[1].label);
   rename_active_template(history, "bench");
   CHECK(active(history).name == "bench 2");
+}
+
+TEST_CASE(
+    "Parts keep their colours whatever is added, split, merged or deleted before them, and new ones get "
+    "others") {
+  History history = history_with_two_parts();
+  for (const char* name : {"back", "arm"}) add_part(history, some_box(), name);
+  std::map<std::string, Rgb> before;
+  const auto look = [&](const std::string& what) {
+    CAPTURE(what);
+    std::map<std::string, Rgb> now;
+    std::set<Rgb> distinct;
+    for (std::size_t i = 0; i < active(history).parts.size(); ++i) {
+      const std::string& name = active(history).parts[i].name;
+      CAPTURE(name);
+      now[name] = part_colour(active(history), static_cast<int>(i));
+      CHECK(distinct.insert(now[name]).second);
+      if (before.contains(name)) CHECK(before[name] == now[name]);
+    }
+    before = now;
+  };
+  look("at first");
+  split_part(history, 0, 1);
+  look("split the first");
+  duplicate_parts(history, {1});
+  look("duplicate one in the middle");
+  add_mirror_images(history, {0}, 0);
+  look("mirror the first");
+  split_part(history, 0, 2);
+  look("split a linked one, and its image");
+  remove_parts(history, {1, 2});
+  look("delete in the middle");
+  merge_parts(history, {1, 2});
+  look("merge");
+  paste_parts(history, {active(history).parts[0], active(history).parts[1]});
+  look("paste");
+  add_part(history, some_box(), "last");
+  look("add");
+}
+
+TEST_CASE(
+    "Parts in the order in which they were added have the colours of their places, of which files say "
+    "nothing") {
+  History history = history_with_two_parts();
+  add_part(history, some_box());
+  paste_parts(history, {active(history).parts[0]});
+  for (const TemplatePart& part : active(history).parts) CHECK(part.colour == -1);
 }
 
 TEST_CASE("A mirrored box is the mirror image, corner by corner") {

@@ -110,6 +110,33 @@ TEST_CASE("Every command without arguments runs or says why not, on an empty win
   }
 }
 
+TEST_CASE("The line at the bottom tells of every edit, and no longer of what was before it") {
+  TestWindow window;
+  window.open_chairs(1);
+  window.make_template();
+  window.settle();
+  const std::string& status = window.studio().ui.status;
+  REQUIRE(run_command(window.studio(), "select-part", std::vector<std::string>{"seat"}));
+  window.key("Ctrl+C");
+  CHECK(status == "Copied seat");
+  window.key("Ctrl+V");
+  window.frames(2);
+  CHECK(status == "Done: Paste seat 2");
+  window.key("Ctrl+Z");
+  window.frames(2);
+  CHECK(status == "Undone: Paste seat 2");
+  window.key("Ctrl+Z");
+  window.frames(2);
+  CHECK(status != "Undone: Paste seat 2");
+  CHECK(status.starts_with("Undone: "));
+  window.key("Ctrl+Shift+Z");
+  window.frames(2);
+  CHECK(status.starts_with("Redone: "));
+  REQUIRE(run_command(window.studio(), "add-part"));
+  window.frames(2);
+  CHECK(status == "Done: Add part");
+}
+
 TEST_CASE("Keys can be set by the user") {
   TestWindow window;
   window.studio().settings.keys["theme-light"] = "Ctrl+L";

@@ -60,7 +60,7 @@ TEST_CASE("The view of a single fit says what to do while there is nothing to in
   CHECK(window.has("inspect:shape"));
 }
 
-TEST_CASE("What other yaws score is seen by a click, can be pinned, and the next fit heeds it") {
+TEST_CASE("What other yaws score is seen by a click, can be pinned, and the next fit and learning heed it") {
   TestWindow window;
   open_fitted(window, 2);
   Studio& studio = window.studio();
@@ -93,6 +93,25 @@ TEST_CASE("What other yaws score is seen by a click, can be pinned, and the next
   CHECK(outdated_fits(studio) == 0);
   REQUIRE(run(window, "fit-all"));
   CHECK(stored(window).yaw_quarters == other);
+  REQUIRE(run(window, "learn"));
+  REQUIRE(studio.collection.content.learning);
+  CHECK(stored(window).yaw_quarters == other);
+  CHECK(correction_in_view(studio).yaw_quarters == other);
+}
+
+TEST_CASE("A shape that boxes were drawn on stands right again after its yaw was pinned and set free") {
+  TestWindow window;
+  open_fitted(window, 2);
+  Studio& studio = window.studio();
+  studio.ui.points.made_on = studio.shape.shape_revision;
+  studio.ui.points.made_for = "chair";
+  const int before = studio.shape.fit->fit.yaw_quarters;
+  const int other = (before + 2) % 4;
+  REQUIRE(run(window, "pin-yaw", {std::to_string(other * 90)}));
+  CHECK(studio.shape.fit->fit.yaw_quarters == other);
+  window.key("Ctrl+Z");
+  window.settle();
+  CHECK(studio.shape.fit->fit.yaw_quarters == before);
 }
 
 TEST_CASE("The alternations are gone through step by step") {

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/session/fit_collection.h"
+#include "core/session/import_shapes.h"
+#include "tests/support/small_collection.h"
 #include "tests/ui/made_learning.h"
 #include "tests/ui/test_window.h"
 #include "ui/learning_actions.h"
@@ -60,6 +63,32 @@ TEST_CASE("The flow of shapes: members add up, bands connect them, moves are tho
   }
   CHECK(columns[1].moved > 0);
   CHECK(learning_flow(made_learning(0, 1, 0)).size() == 1);
+}
+
+TEST_CASE("A line that ends is told of: what it became one with, or that no shape took it") {
+  LearningRecord record = made_learning(3, 3, 20);
+  // As before, but that in round 3 the third is merged into the first.
+  LearningStep& last = record.steps[2];
+  last.templates.pop_back();
+  last.lines.pop_back();
+  for (std::size_t& taken : last.taken) taken = taken == 2 ? 0 : taken;
+  std::vector<FlowColumn> columns = learning_flow(record);
+  CHECK(columns[1].ended.empty());
+  CHECK(columns[2].ended.empty());
+  REQUIRE(columns[3].ended.size() == 1);
+  CHECK(columns[3].ended[0].into == 0);
+  CHECK(end_text(columns[2], columns[3], columns[3].ended[0]) == "“chair 3” and “chair” became one, “chair”");
+  last.taken = {0, 1};
+  last.taken.resize(20);
+  std::swap(last.taken[2], last.taken[1]);
+  record.steps[1].taken = std::vector<std::size_t>(20, 2);
+  columns = learning_flow(record);
+  REQUIRE(columns[3].ended.size() == 1);
+  CHECK(end_text(columns[2], columns[3], columns[3].ended[0]) ==
+        "“chair 3” is gone: its shapes take several others");
+  record.steps[1].taken = std::vector<std::size_t>(20, 0);
+  columns = learning_flow(record);
+  CHECK(end_text(columns[2], columns[3], columns[3].ended[0]) == "“chair 3” is gone: no shape took it");
 }
 
 TEST_CASE("Learning opens its panel, which shows every round") {
@@ -199,6 +228,62 @@ TEST_CASE("What learning begins with is said before and when it starts") {
   unsettled.settled = false;
   studio.collection.content.learning = std::make_shared<const LearningRecord>(unsettled);
   CHECK(says("goes on after round " + std::to_string(unsettled.steps.size()) + " from “chair”"));
+}
+
+TEST_CASE("Learning begins with both templates of a project, says so, and one undo brings both back") {
+  TestWindow window;
+  write_chairs(window.scratch().path() / "chairs", 4);
+  const std::filesystem::path path = window.scratch().path() / "two.archetype";
+  {
+    Project project = Project::create(path);
+    import_shapes(project, {window.scratch().path() / "chairs" / "shapes"}, {}, {});
+    PartTemplate wide = chair_template();
+    wide.name = "wide";
+    wide.parts[0].scale.mean.x() *= 1.05;  // so alike that they can only become one
+    fit_collection(project, {chair_template(), wide}, {}, 1, {});
+  }
+  open_project(window.studio(), path);
+  window.settle();
+  Studio& studio = window.studio();
+  const Document before = studio.history.current();
+  REQUIRE(before.templates.size() == 2);
+  const std::string begins = "begins with “chair”, “wide” as they are in the editor";
+  CHECK(what_learning_begins_with(studio) == begins);
+  REQUIRE(run_command(studio, "learn"));
+  window.settle();
+  CHECK(studio.collection.content.learning->start.size() == 2);
+  CHECK(studio.history.current().templates.size() == 1);
+  window.key("Ctrl+Z");
+  window.settle();
+  CHECK(studio.history.current() == before);
+  CHECK(what_learning_begins_with(studio) == begins);  // and not with one of them only
+  window.key("Ctrl+Shift+Z");
+  window.settle();
+  CHECK(studio.history.current().templates.size() == 1);
+}
+
+TEST_CASE("A round that is chosen elsewhere comes into sight in the chart of many rounds") {
+  TestWindow window;
+  window.open_chairs(2);
+  window.make_template();
+  Studio& studio = window.studio();
+  studio.collection.content.learning = std::make_shared<const LearningRecord>(made_learning(30, 3, 2));
+  show_learning(studio);
+  window.frames(4);
+  const auto inside = [&](const std::string& name) {
+    const Target& plot = *std::ranges::find(studio.targets, "energy-plot", &Target::name);
+    const auto found = std::ranges::find(studio.targets, name, &Target::name);
+    return found != studio.targets.end() && found->low_x > plot.high_x && found->high_x < plot.high_x + 700;
+  };
+  CHECK(inside("round:30"));
+  CHECK_FALSE(inside("round:2"));
+  studio.ui.learning = {2, std::nullopt};
+  window.frames(4);
+  CHECK(inside("round:2"));
+  CHECK_FALSE(inside("round:30"));
+  studio.ui.learning = {30, std::nullopt};
+  window.frames(4);
+  CHECK(inside("round:30"));
 }
 
 TEST_CASE("A learning that is stopped before its first round says that nothing was changed, and nothing is") {
