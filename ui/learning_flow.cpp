@@ -92,11 +92,13 @@ std::vector<FlowColumn> learning_flow(const LearningRecord& record) {
 std::string end_text(const FlowColumn& before, const FlowColumn& column, const FlowEnd& end) {
   const FlowNode& gone = before.nodes[end.from];
   const std::string name = "“" + gone.part_template->name + "”";
-  if (end.into) {
-    const std::string& with = column.nodes[*end.into].part_template->name;
-    return name + " and “" + with + "” became one, “" + with + "”";
-  }
-  return name + " is gone: " + (gone.members.empty() ? "no shape took it" : "its shapes take several others");
+  if (!end.into)
+    return name +
+           " is gone: " + (gone.members.empty() ? "no shape took it" : "its shapes take several others");
+  const FlowNode& into = column.nodes[*end.into];
+  const std::string with = "“" + into.part_template->name + "”";
+  if (into.changed) return name + " and " + with + " became one, " + with;
+  return name + " is gone: its shapes take " + with;
 }
 
 std::string round_name(std::size_t round) {

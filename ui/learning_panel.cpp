@@ -26,7 +26,9 @@ std::string number(double value) {
 }
 
 std::string summary(const LearningRecord& record, const Studio& studio) {
-  std::string text = record.start.front().name + ": ";
+  std::string text = record.start.front().name;
+  if (record.start.size() > 1) text += " and " + plural(record.start.size() - 1, "more template");
+  text += ": ";
   if (record.steps.empty()) return text + "no round is whole yet";
   text += plural(record.steps.size(), "round") + (record.settled ? ", settled" : ", not settled yet");
   text += "  ·  energy " + number(record.steps.front().energy_before) + " to " +

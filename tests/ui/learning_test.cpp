@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/session/fit_collection.h"
 #include "core/session/import_shapes.h"
@@ -78,6 +79,11 @@ TEST_CASE("A line that ends is told of: what it became one with, or that no shap
   REQUIRE(columns[3].ended.size() == 1);
   CHECK(columns[3].ended[0].into == 0);
   CHECK(end_text(columns[2], columns[3], columns[3].ended[0]) == "“chair 3” and “chair” became one, “chair”");
+  const TemplateId changed = std::exchange(last.templates[0], record.steps[1].templates[0]);
+  columns = learning_flow(record);
+  CHECK(end_text(columns[2], columns[3], columns[3].ended[0]) ==
+        "“chair 3” is gone: its shapes take “chair”");
+  last.templates[0] = changed;
   last.taken = {0, 1};
   last.taken.resize(20);
   std::swap(last.taken[2], last.taken[1]);
