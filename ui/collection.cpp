@@ -81,8 +81,7 @@ CollectionRows read_rows(const Project& project) {
     while (row < content.rows.size() && content.rows[row].id != fit.shape) ++row;
     if (row < content.rows.size()) content.rows[row].fit = fit;
   }
-  for (TemplateRecord& record : project.templates())
-    content.templates.push_back(std::move(record.part_template));
+  content.templates = current_templates(project).templates;
   content.refused = project.refused();
   content.truth = ground_truth_folders(project);
   content.subsets = stored_subset_measures(project);
