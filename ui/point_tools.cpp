@@ -198,6 +198,7 @@ std::vector<std::uint32_t> points_inside(const std::vector<Vec3>& points,
 std::vector<Vec3> front_points(const std::vector<Vec3>& points, const std::vector<std::uint32_t>& indices,
                                const GizmoView& view, double gap) {
   std::vector<std::pair<double, std::uint32_t>> by_depth;
+  by_depth.reserve(indices.size());
   for (const std::uint32_t i : indices) by_depth.emplace_back(view_depth(view.camera, to_glm(points[i])), i);
   std::sort(by_depth.begin(), by_depth.end());
   std::vector<Vec3> front;

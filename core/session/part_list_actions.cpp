@@ -70,6 +70,7 @@ void link_copies(PartTemplate& part_template, const std::vector<MirrorLink>& lin
 
 std::vector<MirrorLink> links_of(const std::vector<TemplatePart>& parts) {
   std::vector<MirrorLink> links;
+  links.reserve(parts.size());
   for (const TemplatePart& part : parts) links.push_back(part.mirror);
   return links;
 }
@@ -173,7 +174,7 @@ PartList duplicate_parts(History& history, const PartList& parts) {
     box.centre.x() += width;
     set_box(copy, box);
   }
-  const PartList places = insert_parts(changed, std::move(copies), sorted.back() + 1);
+  PartList places = insert_parts(changed, std::move(copies), sorted.back() + 1);
   link_copies(changed, links, places);
   put(history, std::move(changed), Stage::done, message);
   return places;
@@ -193,7 +194,7 @@ PartList add_mirror_images(History& history, const PartList& parts, int axis) {
   const std::string message = "Mirror " + names_of(changed, originals);
   std::vector<TemplatePart> images = parts_at(changed, originals);
   for (TemplatePart& image : images) image.name = other_side(image.name);
-  const PartList places = insert_parts(changed, std::move(images), originals.back() + 1);
+  PartList places = insert_parts(changed, std::move(images), originals.back() + 1);
   for (std::size_t i = 0; i < places.size(); ++i) link_mirror(changed, originals[i], places[i], axis);
   put(history, std::move(changed), Stage::done, message);
   return places;
@@ -283,7 +284,7 @@ PartList split_part(History& history, std::size_t part, int axis) {
 PartList paste_parts(History& history, const std::vector<TemplatePart>& parts) {
   if (parts.empty()) throw PreconditionError("there is nothing to paste");
   PartTemplate changed = active_copy(history);
-  const PartList places = insert_parts(changed, parts, changed.parts.size());
+  PartList places = insert_parts(changed, parts, changed.parts.size());
   link_copies(changed, links_of(parts), places);
   const std::string message = "Paste " + names_of(changed, places);
   put(history, std::move(changed), Stage::done, message);

@@ -24,8 +24,10 @@ std::vector<std::string> words(const std::string& text) {
   return found;
 }
 
+// `word` is in small letters.
 bool holds(const std::string& name, const std::string& word) {
-  return !std::ranges::search(name, word, {}, lower).empty();
+  const auto same = [](char a, char b) { return lower(a) == b; };
+  return std::search(name.begin(), name.end(), word.begin(), word.end(), same) != name.end();
 }
 
 template <typename T>
