@@ -145,7 +145,7 @@ JobId Jobs::start(std::string title, Work work) {
   Running* running = job.get();
   running->id = next_id_++;
   running->title = std::move(title);
-  running->thread = std::jthread([running, work = std::move(work), wake = wake_] {
+  running->thread = std::jthread([running, work = std::move(work), wake = wake_]() mutable {
     lower_priority(Priority::job);
     JobControl control;
     control.stop = {running->stop.get_token(), running->gate};
@@ -158,6 +158,7 @@ JobId Jobs::start(std::string title, Work work) {
       running->error = error.what();
       running->failed = true;
     }
+    work = nullptr;  // who sees the end may join the thread: what it holds is let go of before
     running->finish();
     if (wake) wake();
   });

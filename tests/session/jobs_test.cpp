@@ -281,3 +281,18 @@ TEST_CASE("A paused job leaves other jobs their threads") {
   });
   CHECK(met);
 }
+
+TEST_CASE("what the work of a job holds is let go of before the job has ended") {
+  struct Slow {
+    std::atomic<bool>* gone;
+    ~Slow() {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      *gone = true;
+    }
+  };
+  std::atomic<bool> gone = false;
+  Jobs jobs;
+  jobs.start("hold", [held = std::make_shared<Slow>(&gone)](const JobControl&) -> Jobs::Apply { return {}; });
+  jobs.wait_for_work();
+  CHECK(gone);
+}
