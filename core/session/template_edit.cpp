@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/sort_unique.h"
 #include "core/io/template_file.h"
 
 namespace archetype {
@@ -34,8 +35,7 @@ TemplatePart& part_of(PartTemplate& part_template, std::size_t part) {
 }
 
 PartList checked_parts(const PartTemplate& part_template, PartList parts) {
-  std::sort(parts.begin(), parts.end());
-  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  sort_unique(parts);
   if (parts.empty()) throw PreconditionError("there is no part to edit");
   if (parts.back() >= part_template.parts.size()) throw PreconditionError("there is no such part");
   return parts;
