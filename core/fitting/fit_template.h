@@ -23,10 +23,12 @@ struct FitRecording {
 // Alternates labelling, correspondences, rigid and deformation steps from each candidate yaw until the labels
 // stop changing, takes the yaw with the least energy, goes on there with round solids in the boxes of parts
 // that are round on this shape (choose_solids.h), and then without the parts that the shape
-// gives no evidence for (evidence.h), one after the other; the energy may rise when a part goes. The template
-// needs at least one part; the samples at least one point. A cancelled fit returns nothing. `recording`, if
-// given, receives the alternations of the winning yaw. Samples of `pinned` (pinned_labels.h) keep their
-// labels, and their parts are not dropped. Deterministic; about 10 ms for 1,000 samples, 8 parts and 4 yaws.
+// gives no evidence for (evidence.h), one after the other; the energy may rise when a part goes. What is
+// found so is tried once more from boxes that it carries (starting_boxes.h), and kept if that is better. The
+// template needs at least one part; the samples at least one point. A cancelled fit returns nothing.
+// `recording`, if given, receives the alternations of the winning yaw. Samples of `pinned` (pinned_labels.h)
+// keep their labels, and their parts are not dropped. Deterministic; about 10 ms for 1,000 samples, 8 parts
+// and 4 yaws.
 std::optional<ShapeFit> fit_template(const PartTemplate& part_template, const ShapeSamples& samples,
                                      const FitOptions& options, const JobControl& control = {},
                                      FitRecording* recording = nullptr,

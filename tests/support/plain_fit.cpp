@@ -217,6 +217,23 @@ std::optional<std::size_t> unfounded_part(const Plain& plain, const ShapeFit& fi
   return static_cast<std::size_t>(least - evidence.begin());
 }
 
+// With what is round, and then without what the shape gives no evidence for.
+ShapeFit finished(const Plain& plain, ShapeFit best) {
+  const std::vector<Box> means = mean_boxes(plain.part_template);
+  std::vector<bool> dropped(means.size(), false);
+  if (const auto boxes = rounded(plain, best)) best = alternate(plain, best, *boxes, dropped, true);
+  while (plain.options.drop_parts) {
+    std::vector<Box> boxes;
+    for (const FittedPart& part : best.parts) boxes.push_back(part.box);
+    const auto part = unfounded_part(plain, best, boxes, dropped);
+    if (!part) break;
+    dropped[*part] = true;
+    boxes[*part] = means[*part];
+    best = alternate(plain, best, boxes, dropped);
+  }
+  return best;
+}
+
 }  // namespace
 
 ShapeFit plain_fit(const PartTemplate& given, const ShapeSamples& samples, const FitOptions& options) {
@@ -228,7 +245,7 @@ ShapeFit plain_fit(const PartTemplate& given, const ShapeSamples& samples, const
                     make_point_graph(samples, options),
                     options.distance_unit * samples.radius};
   const std::vector<Box> means = mean_boxes(part_template);
-  std::vector<bool> dropped(means.size(), false);
+  const std::vector<bool> dropped(means.size(), false);
   ShapeFit best;
   double least = std::numeric_limits<double>::infinity();
   for (int yaw = 0; yaw < 4; ++yaw) {
@@ -242,17 +259,13 @@ ShapeFit plain_fit(const PartTemplate& given, const ShapeSamples& samples, const
     least = std::min(mean.energy.total(), stretched.energy.total());
     best = stretched.energy.total() * stretch_handicap < mean.energy.total() ? stretched : mean;
   }
-  if (const auto boxes = rounded(plain, best)) best = alternate(plain, best, *boxes, dropped, true);
-  while (options.drop_parts) {
-    std::vector<Box> boxes;
-    for (const FittedPart& part : best.parts) boxes.push_back(part.box);
-    const auto part = unfounded_part(plain, best, boxes, dropped);
-    if (!part) break;
-    dropped[*part] = true;
-    boxes[*part] = means[*part];
-    best = alternate(plain, best, boxes, dropped);
-  }
-  return best;
+  best = finished(plain, best);
+  ShapeFit start;
+  start.yaw_quarters = best.yaw_quarters;
+  start.translation = best.translation;
+  const ShapeFit again =
+      finished(plain, alternate(plain, start, carried_boxes(part_template, best.parts), dropped));
+  return again.energy.total() < best.energy.total() ? again : best;
 }
 
 }  // namespace archetype::test
