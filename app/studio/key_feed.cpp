@@ -101,9 +101,10 @@ bool KeyFeed::feed(GLFWwindow* window) {
 
 std::optional<KeyChord> chord_of(const KeyFeed::Event& event) {
   if (event.action == GLFW_RELEASE) return std::nullopt;
-  std::string name = key_name(event.key, event.scancode);
-  if (name == "=" && (event.mods & GLFW_MOD_CONTROL))
-    name = "+";  // the same key without Shift on most keyboards
+  const std::string printed = key_name(event.key, event.scancode);
+  // Where both are on one key, as on most keyboards, + is meant by it without Shift, too.
+  const bool plus = printed == "=" && (event.mods & GLFW_MOD_CONTROL) != 0;
+  const std::string name = plus ? "+" : printed;
   std::optional<KeyChord> chord = name.empty() ? std::nullopt : parse_chord(name);
   if (!chord) return std::nullopt;
   chord->ctrl = (event.mods & GLFW_MOD_CONTROL) != 0;
