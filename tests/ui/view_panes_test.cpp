@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
 #include <vector>
 
 #include "tests/ui/viewport_window.h"
@@ -136,4 +137,15 @@ TEST_CASE("a click on the name of a view makes it large, and brings all four bac
   run_command(w.studio, "view-left");
   w.frames(2);
   CHECK(w.state.current == 0);
+}
+
+TEST_CASE("The name of the first view says whether it is in perspective") {
+  FourViews w;
+  CHECK(std::string(pane_title(w.studio, 0)) == "Perspective");
+  run_command(w.studio, "orthographic");
+  w.frames(2);
+  CHECK(std::string(pane_title(w.studio, 0)) == "Orthographic");
+  CHECK(std::string(pane_title(w.studio, 1)) == "Top");
+  run_command(w.studio, "orthographic");
+  CHECK(std::string(pane_title(w.studio, 0)) == "Perspective");
 }
