@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "render/convert.h"
-#include "ui/viewport_overlay.h"
 
 namespace archetype {
 namespace {
@@ -95,18 +94,24 @@ void draw_snapped(ImDrawList& draw, ImVec2 origin, const Snapped& snapped, const
   }
 }
 
-void draw_strip(ImDrawList& draw, ImVec2 origin, const GizmoView& view, const std::string& text,
-                const std::string& hint) {
+ScreenRect strip_place(ImVec2 origin, const GizmoView& view, const ScreenRect& taken, ImVec2 text_size) {
+  const auto scale = static_cast<float>(view.scale);
+  const ImVec2 size{text_size.x + 24 * scale, text_size.y + 12 * scale};
+  const float middle = origin.x + 0.5F * (static_cast<float>(view.viewport.width) - size.x);
+  const float x = std::max(std::min(middle, taken.low.x - 6 * scale - size.x), origin.x + 6 * scale);
+  const float y = origin.y + 10 * scale;
+  return {{x, y}, {x + size.x, y + size.y}};
+}
+
+void draw_strip(ImDrawList& draw, ImVec2 origin, const GizmoView& view, const ScreenRect& taken,
+                const std::string& text, const std::string& hint) {
   const auto scale = static_cast<float>(view.scale);
   const ImVec2 text_size = ImGui::CalcTextSize(text.c_str());
-  const ImVec2 hint_size = ImGui::CalcTextSize(hint.c_str());
   const float gap = 22 * scale;
-  const auto width = static_cast<float>(view.viewport.width);
+  const float wide = text_size.x + gap + ImGui::CalcTextSize(hint.c_str()).x;
   // The hint goes where there is no room for both.
-  const bool both = text_size.x + hint_size.x + gap + 40 * scale < width;
-  const float inner = text_size.x + (both ? gap + hint_size.x : 0);
-  const ImVec2 low{origin.x + 0.5F * (width - inner) - 12 * scale, origin.y + 10 * scale};
-  const ImVec2 high{low.x + inner + 24 * scale, low.y + text_size.y + 12 * scale};
+  const bool both = wide + 36 * scale < taken.low.x - origin.x;
+  const auto [low, high] = strip_place(origin, view, taken, {both ? wide : text_size.x, text_size.y});
   draw.AddRectFilled(low, high, plate, 5 * scale);
   draw.AddText({low.x + 12 * scale, low.y + 6 * scale}, white, text.c_str());
   if (both) draw.AddText({low.x + 12 * scale + text_size.x + gap, low.y + 6 * scale}, muted, hint.c_str());

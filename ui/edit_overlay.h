@@ -8,6 +8,7 @@
 
 #include "ui/gizmo.h"
 #include "ui/snapping.h"
+#include "ui/viewport_overlay.h"
 
 namespace archetype {
 
@@ -16,8 +17,10 @@ void draw_axis_line(ImDrawList& draw, ImVec2 origin, const Vec3& place, const Ve
                     const GizmoView& view);
 // The planes as outlines about the box, with their names.
 void draw_snapped(ImDrawList& draw, ImVec2 origin, const Snapped& snapped, const GizmoView& view);
-// A strip at the top: what goes on, and muted what to do.
-void draw_strip(ImDrawList& draw, ImVec2 origin, const GizmoView& view, const std::string& text,
-                const std::string& hint);
+// A strip at the top, to the left of `taken`: what goes on, and muted what to do.
+void draw_strip(ImDrawList& draw, ImVec2 origin, const GizmoView& view, const ScreenRect& taken,
+                const std::string& text, const std::string& hint);
+// Where it stands: in the middle, or as far to the left as it must.
+ScreenRect strip_place(ImVec2 origin, const GizmoView& view, const ScreenRect& taken, ImVec2 text_size);
 
 }  // namespace archetype

@@ -34,13 +34,14 @@ void draw_cross(ImDrawList& draw, ImVec2 at, ImU32 colour, float radius) {
   draw.AddCircle(at, radius, colour, 0, radius * 0.3F);
 }
 
+// What follows the name of the shape.
 std::string title_of(const Studio& studio, const Side& side, std::size_t index) {
   const InspectedShape& shape = *side.side.shape;
-  if (!side.look) return shape.record.name + (shape.fit ? "" : "   not fitted yet");
+  if (!side.look) return shape.fit ? "" : "   not fitted yet";
   char text[128];
   std::snprintf(text, sizeof text, "   %s   yaw %d°   energy %.4f", side.look->part_template->name.c_str(),
                 side.look->fit.yaw_quarters * 90, side.look->fit.energy.total());
-  std::string title = shape.record.name + text;
+  const std::string title = text;
   if (index != 0) return title;
   if (studio.ui.inspect.step) return title + "   (on its way)";
   const auto shown = shown_alternative(studio);
@@ -52,7 +53,12 @@ std::string title_of(const Studio& studio, const Side& side, std::size_t index) 
 
 void draw_title(Studio& studio, ImDrawList& draw, const Side& side, std::size_t index, float width) {
   const float scale = studio.fonts.scale;
-  const std::string text = fitted(title_of(studio, side, index), width - 24 * scale);
+  const float room = width - 24 * scale;
+  const std::string rest = title_of(studio, side, index);
+  // Where it gets narrow the name is cut before what is said of the fit.
+  const float least = 60 * scale;
+  const float left = std::max(room - ImGui::CalcTextSize(rest.c_str()).x, least);
+  const std::string text = fitted(fitted(side.side.shape->record.name, left) + rest, room);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at(side.origin.x + 8 * scale, side.origin.y + 8 * scale);
   ImVec4 back = colours(studio).panel;

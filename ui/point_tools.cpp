@@ -254,7 +254,8 @@ bool follow_point_tool(Studio& studio, const MouseInput& mouse, const GizmoView&
   return true;
 }
 
-void draw_point_tool(Studio& studio, ImDrawList& draw, ImVec2 origin, const GizmoView& view) {
+void draw_point_tool(Studio& studio, ImDrawList& draw, ImVec2 origin, const GizmoView& view,
+                     const ScreenRect& taken) {
   const PointToolState& state = studio.ui.points;
   const auto scale = static_cast<float>(view.scale);
   const auto dot = [&](const Vec3& point) {
@@ -283,7 +284,7 @@ void draw_point_tool(Studio& studio, ImDrawList& draw, ImVec2 origin, const Gizm
                      : waits                              ? "Looking for the parts of the surface…"
                      : state.tool == PointTool::component ? "Click a connected piece: it gets a box"
                                                           : "Click a segment: it gets a box";
-  draw_strip(draw, origin, view, text,
+  draw_strip(draw, origin, view, taken, text,
              by_outline(state.tool) && state.tool != PointTool::draw_box
                  ? "Shift adds  ·  Ctrl takes away  ·  Esc ends"
                  : "Esc ends");

@@ -15,6 +15,7 @@
 namespace archetype {
 
 struct MouseInput;
+struct ScreenRect;
 struct Studio;
 
 // What the left button does in the viewport where there is no handle. None: as always.
@@ -51,7 +52,8 @@ bool stands_as_shown(const Studio& studio);
 // Whether it took the mouse. Called before anything else that follows it.
 bool follow_point_tool(Studio& studio, const MouseInput& mouse, const GizmoView& view);
 // Outline, points and a line that says what to do.
-void draw_point_tool(Studio& studio, ImDrawList& draw, ImVec2 origin, const GizmoView& view);
+void draw_point_tool(Studio& studio, ImDrawList& draw, ImVec2 origin, const GizmoView& view,
+                     const ScreenRect& taken);
 
 // The indices of the points inside of an outline on the screen.
 std::vector<std::uint32_t> points_inside(const std::vector<Vec3>& points,

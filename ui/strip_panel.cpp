@@ -75,27 +75,37 @@ void draw_tile_picture(Studio& studio, StripTile& tile, ImVec2 size) {
   tile.drawn = wanted;
 }
 
+// On a ground of its own: the boxes of the picture reach anywhere.
+void draw_text(const Studio& studio, ImVec2 at, const ImVec4& colour, const std::string& text) {
+  const float scale = studio.fonts.scale;
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  ImVec4 ground = colours(studio).panel;
+  ground.w = 0.75F;
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled({at.x - 3 * scale, at.y - scale}, {at.x + size.x + 3 * scale, at.y + size.y + scale},
+                      ImGui::GetColorU32(ground), 3 * scale);
+  draw->AddText(at, ImGui::GetColorU32(colour), text.c_str());
+}
+
 void draw_energy(const Studio& studio, const StripTile& tile, ImVec2 low, ImVec2 high) {
   if (!tile.fit) return;
   const Palette& p = colours(studio);
   const float scale = studio.fonts.scale;
-  ImDrawList* draw = ImGui::GetWindowDrawList();
   const float y = high.y - ImGui::GetTextLineHeight() - 3 * scale;
   char text[64];
   std::snprintf(text, sizeof text, "%.3f", energy_without_missing(tile.fit->view).total());
-  draw->AddText({low.x + 6 * scale, y}, ImGui::GetColorU32(p.text), text);
+  draw_text(studio, {low.x + 6 * scale, y}, p.text, text);
   if (const auto missing = missing_parts(tile.fit->view); !missing.empty()) {
     const float room = high.x - low.x - 14 * scale - ImGui::CalcTextSize(text).x;
     const std::string lacks = fitted("lacks " + missing.front(), room);
-    draw->AddText({high.x - 6 * scale - ImGui::CalcTextSize(lacks.c_str()).x, y},
-                  ImGui::GetColorU32(p.warning), lacks.c_str());
+    draw_text(studio, {high.x - 6 * scale - ImGui::CalcTextSize(lacks.c_str()).x, y}, p.warning, lacks);
     return;
   }
   const std::optional<double> change = energy_change(tile);
   if (!change || std::abs(*change) < least_change) return;
   std::snprintf(text, sizeof text, "%+.3f", *change);
-  draw->AddText({high.x - 6 * scale - ImGui::CalcTextSize(text).x, y},
-                ImGui::GetColorU32(*change < 0 ? p.good : p.error), text);
+  draw_text(studio, {high.x - 6 * scale - ImGui::CalcTextSize(text).x, y}, *change < 0 ? p.good : p.error,
+            text);
 }
 
 std::string name_of(const Studio& studio, ShapeId id) {
@@ -129,8 +139,8 @@ void draw_tile(Studio& studio, StripTile& tile, ImVec2 size) {
   if (hovered || in_view)
     draw->AddRect(low, high, ImGui::GetColorU32(in_view ? p.accent : p.border), rounding, 0, 2 * scale);
   ImGui::PushFont(studio.fonts.small);
-  draw->AddText({low.x + 6 * scale, low.y + 3 * scale}, ImGui::GetColorU32(in_view ? p.text : p.muted),
-                fitted(name, size.x - button - 8 * scale).c_str());
+  draw_text(studio, {low.x + 6 * scale, low.y + 3 * scale}, in_view ? p.text : p.muted,
+            fitted(name, size.x - button - 8 * scale));
   draw_energy(studio, tile, low, high);
   ImGui::PopFont();
   if (hovered) {

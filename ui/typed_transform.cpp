@@ -212,13 +212,14 @@ std::string transform_text(const TypedTransform& transform, const Box& now) {
   return text + ":  " + (transform.typed.empty() ? number : transform.typed + "_");
 }
 
-void draw_transform(Studio& studio, ImDrawList& draw, ImVec2 origin, const GizmoView& view) {
+void draw_transform(Studio& studio, ImDrawList& draw, ImVec2 origin, const GizmoView& view,
+                    const ScreenRect& taken) {
   if (!studio.ui.transform) return;
   const TypedTransform& transform = *studio.ui.transform;
   if (transform.axis)
     draw_axis_line(draw, origin, transform.held.centre, axis_of(transform.held, *transform.axis),
                    *transform.axis, view);
-  draw_strip(draw, origin, view, transform_text(transform, transform.now),
+  draw_strip(draw, origin, view, taken, transform_text(transform, transform.now),
              "X Y Z axis  ·  type a number  ·  Enter keeps  ·  Esc puts back");
 }
 

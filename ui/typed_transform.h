@@ -16,6 +16,7 @@ namespace archetype {
 
 struct KeyChord;
 struct MouseInput;
+struct ScreenRect;
 struct Studio;
 
 // Under way.
@@ -47,6 +48,7 @@ Box transformed_box(const TypedTransform& transform, const GizmoView& view, cons
 std::string transform_text(const TypedTransform& transform, const Box& now);
 
 // At the top of the viewport, and the axis through the boxes.
-void draw_transform(Studio& studio, ImDrawList& draw, ImVec2 origin, const GizmoView& view);
+void draw_transform(Studio& studio, ImDrawList& draw, ImVec2 origin, const GizmoView& view,
+                    const ScreenRect& taken);
 
 }  // namespace archetype

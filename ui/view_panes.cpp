@@ -35,6 +35,10 @@ void frame_content(ViewPane& pane, const PlacedPane& placed, const ViewportConte
 
 }  // namespace
 
+const char* pane_title(const Studio& studio, std::size_t pane) {
+  return pane == 0 && studio.ui.view.orthographic ? "Orthographic" : pane_names[pane];
+}
+
 ViewPreset preset_of(CameraView view) {
   switch (view) {
     case CameraView::front:
@@ -122,7 +126,7 @@ void follow_flight(Studio& studio, const ViewportContent& content, const PlacedP
 ScreenRect pane_title_place(const Studio& studio, const PlacedPane& placed) {
   const float scale = studio.fonts.scale;
   ImGui::PushFont(studio.fonts.small);
-  const ImVec2 text = ImGui::CalcTextSize(pane_names[placed.index]);
+  const ImVec2 text = ImGui::CalcTextSize(pane_title(studio, placed.index));
   ImGui::PopFont();
   const ImVec2 high(placed.origin.x + placed.size.x - 6 * scale, placed.origin.y + text.y + 11 * scale);
   return {{high.x - text.x - 12 * scale, placed.origin.y + 6 * scale}, high};
@@ -145,7 +149,8 @@ void draw_pane_title(Studio& studio, const PlacedPane& placed) {
   draw->AddRectFilled(low, high, ImGui::GetColorU32({back.x, back.y, back.z, hovered ? 0.95F : 0.6F}),
                       4 * scale);
   draw->AddText({low.x + 6 * scale, low.y + 2.5F * scale},
-                ImGui::GetColorU32(hovered ? colours(studio).text : colours(studio).muted), name);
+                ImGui::GetColorU32(hovered ? colours(studio).text : colours(studio).muted),
+                pane_title(studio, placed.index));
   ImGui::PopFont();
   if (hovered) tooltip(four ? "Make this view large (4)" : "Perspective, top, front and right at once (4)");
   if (!clicked) return;

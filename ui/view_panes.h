@@ -81,6 +81,8 @@ void take_wishes(Studio& studio, const ViewportContent& content, const std::vect
 // Moves the camera of a pane on, and brings the first shape into its picture.
 void follow_flight(Studio& studio, const ViewportContent& content, const PlacedPane& placed);
 
+// What the corner of the pane says; the first one may be without perspective.
+const char* pane_title(const Studio& studio, std::size_t pane);
 // Where the name of the pane stands, in its corner.
 ScreenRect pane_title_place(const Studio& studio, const PlacedPane& placed);
 // A click makes the pane large, or shows all four again.

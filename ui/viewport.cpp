@@ -153,9 +153,10 @@ void draw_overlay(Studio& studio, const PlacedPane& placed, const GizmoView& vie
   const ViewportState& state = studio.viewport;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.PushClipRect(origin, {origin.x + size.x, origin.y + size.y}, true);
+  const ScreenRect title = pane_title_place(studio, placed);
   const std::shared_ptr<const PartTemplate> shown = shown_template(studio);
   if (shown && studio.ui.view.mean_boxes && studio.ui.view.part_names)
-    draw_part_names(draw, origin, *shown, studio.ui.part, view, pane_title_place(studio, placed));
+    draw_part_names(draw, origin, *shown, studio.ui.part, view, title);
   const auto of_mouse = state.drag ? std::optional(state.drag->handle) : state.handle;
   const auto highlighted = placed.index == state.current ? of_mouse : std::nullopt;
   const std::vector<PlacedPart> selected = selected_boxes(studio);
@@ -168,8 +169,8 @@ void draw_overlay(Studio& studio, const PlacedPane& placed, const GizmoView& vie
   draw_handles(draw, origin, shapes, highlighted, view.scale);
   if (state.snapped) draw_snapped(draw, origin, *state.snapped, view);
   if (placed.index == state.current) {
-    draw_transform(studio, draw, origin, view);
-    draw_point_tool(studio, draw, origin, view);
+    draw_transform(studio, draw, origin, view, title);
+    draw_point_tool(studio, draw, origin, view, title);
   }
   draw_spread_dots(studio, draw, origin, view);
   const bool one_of_four = studio.ui.view.four_views && placed.index != 0;

@@ -195,6 +195,25 @@ TEST_CASE("The history list goes to any step") {
   CHECK(window.studio().history.entries().size() == 4);
 }
 
+TEST_CASE("The history list shows the step that was done or undone last, however long it is") {
+  TestWindow window;
+  window.make_template();
+  for (int i = 0; i < 60; ++i) window.click("command:add-part");
+  window.click("tab:History");
+  window.frames(3);
+  const std::size_t last = window.studio().history.position();
+  CHECK(window.has("history:" + std::to_string(last)));
+  CHECK_FALSE(window.has("history:1"));
+  window.key("Ctrl+Z");
+  window.key("Ctrl+Z");
+  window.frames(3);
+  CHECK(window.has("history:" + std::to_string(last - 2)));
+  while (window.studio().history.position() > 1) window.key("Ctrl+Z");
+  window.frames(3);
+  CHECK(window.has("history:1"));
+  CHECK_FALSE(window.has("history:" + std::to_string(last)));
+}
+
 TEST_CASE("The palette finds a command by its words and runs it") {
   TestWindow window;
   window.make_template();

@@ -3,10 +3,12 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
 #include <vector>
 
 #include "tests/ui/viewport_window.h"
 #include "ui/command.h"
+#include "ui/edit_overlay.h"
 
 using namespace archetype;
 using namespace archetype::test;
@@ -136,4 +138,25 @@ TEST_CASE("a click on the name of a view makes it large, and brings all four bac
   run_command(w.studio, "view-left");
   w.frames(2);
   CHECK(w.state.current == 0);
+}
+
+TEST_CASE("The name of the first view says whether it is in perspective") {
+  FourViews w;
+  CHECK(std::string(pane_title(w.studio, 0)) == "Perspective");
+  run_command(w.studio, "orthographic");
+  w.frames(2);
+  CHECK(std::string(pane_title(w.studio, 0)) == "Orthographic");
+  CHECK(std::string(pane_title(w.studio, 1)) == "Top");
+  run_command(w.studio, "orthographic");
+  CHECK(std::string(pane_title(w.studio, 0)) == "Perspective");
+}
+
+TEST_CASE("What a tool says stands in the middle, and beside the name of the view where that is in its way") {
+  const GizmoView view{{}, {600, 400}, 1};
+  const auto place = [&](float name_from, float width) {
+    return strip_place({100, 50}, view, {{name_from, 56}, {694, 76}}, {width, 16});
+  };
+  CHECK(place(620, 300).low.x + place(620, 300).high.x == 2 * 400);
+  CHECK(place(620, 480).high.x == 614);
+  CHECK(place(150, 480).low.x == 106);  // nowhere is enough room: it begins at the edge
 }
