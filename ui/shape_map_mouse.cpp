@@ -72,6 +72,7 @@ void zoom_about(MapState& state, const MapSpace& space, ImVec2 mouse, double fac
   state.x += dx / state.zoom - dx / zoom;
   state.y -= dy / state.zoom - dy / zoom;
   state.zoom = zoom;
+  state.whole = false;
 }
 
 void click(Studio& studio, std::optional<ShapeId> shape) {
@@ -143,6 +144,7 @@ void follow_map_mouse(Studio& studio, const MadeMap& made, const MapSpace& space
     if (!state.panning) state.outline.push_back(io.MousePos);
   }
   if (active && state.panning) {
+    state.whole = false;
     state.x -= io.MouseDelta.x / state.zoom;
     state.y += io.MouseDelta.y / state.zoom;
   } else if (active && !state.outline.empty()) {

@@ -32,10 +32,11 @@ struct MapState {
   MapTool tool = MapTool::rectangle;
   bool pictures = true;
   bool sliders = true;
+  bool whole = true;  // as it fits, until it is zoomed or panned
   // What is in the middle of the view, and how many screen units are as long as one of the map.
   double x = 0;
   double y = 0;
-  double zoom = 0;              // 0: the whole map, as it fits
+  double zoom = 1;
   std::vector<ImVec2> outline;  // of the selection that is being drawn, screen units
   bool panning = false;
   SliderState slider;

@@ -44,7 +44,7 @@ void begin_shape_map(Studio& studio) {
   auto made = studio.shape_map.maker.poll();
   if (!made) return;
   // Another map is looked at as a whole first.
-  if (!studio.shape_map.newest || studio.shape_map.newest->of != (*made)->of) studio.ui.map.zoom = 0;
+  if (!studio.shape_map.newest || studio.shape_map.newest->of != (*made)->of) studio.ui.map.whole = true;
   studio.shape_map.newest = std::move(*made);
 }
 

@@ -37,11 +37,11 @@ void draw_map(Studio& studio, const MadeMap& made, ImVec2 size) {
   const MapSpace space{{low.x, low.y + legend},
                        {low.x + size.x, low.y + std::max(legend + 1, size.y - axes)}};
   draw_map_axes(studio, made, {low.x, space.high.y}, size.x);
-  if (studio.ui.wanted_frame || studio.ui.wanted_view) state.zoom = 0;
+  if (studio.ui.wanted_frame || studio.ui.wanted_view) state.whole = true;
   studio.ui.wanted_frame = false;
   studio.ui.wanted_view.reset();
   const float side = std::clamp(space.size().y / 8, 44 * studio.fonts.scale, 84 * studio.fonts.scale);
-  if (!(state.zoom > 0)) fit_whole(state, made.map, space, side);
+  if (state.whole) fit_whole(state, made.map, space, side);
   const std::vector<std::size_t> shown =
       state.pictures ? pictured_points(state, made.map, space, side) : std::vector<std::size_t>();
   ImGui::PushClipRect(space.low, space.high, true);
@@ -58,7 +58,7 @@ void choose_map(Studio& studio, const FitTable& table) {
     if (record.id == state.of) name = record.part_template.name;
   const auto choose = [&](std::optional<TemplateId> of) {
     state.of = of;
-    state.zoom = 0;
+    state.whole = true;
     if (of) studio.ui.selection.part = PartOfTemplate{*of, 0};
   };
   ImGui::SetNextItemWidth(190 * studio.fonts.scale);

@@ -178,6 +178,28 @@ TEST_CASE("The wheel zooms about the cursor, Shift pans, F shows the whole map a
   CHECK(window.map().zoom == doctest::Approx(zoom));
 }
 
+TEST_CASE("A map that is shown whole fills a view of another size, and one that was zoomed stays as it is") {
+  MapWindow window(36);
+  const double low = window.map().zoom;
+  REQUIRE(run_command(window.studio(), "map-sliders"));
+  REQUIRE(run_command(window.studio(), "bottom-panel"));
+  window.frames(3);
+  const double high = window.map().zoom;
+  CHECK(high > 1.05 * low);
+  ImGui::GetIO().MousePos = window.place_of(10);
+  window.frames(2);
+  ImGui::GetIO().MouseWheel = 1;
+  window.frames(1);
+  ImGui::GetIO().MouseWheel = 0;
+  window.frames(1);
+  const double zoomed = window.map().zoom;
+  CHECK(zoomed > 1.1 * high);
+  REQUIRE(run_command(window.studio(), "map-sliders"));
+  REQUIRE(run_command(window.studio(), "bottom-panel"));
+  window.frames(3);
+  CHECK(window.map().zoom == zoomed);
+}
+
 TEST_CASE("The map is found as it was left, whatever keys were pressed in views without a camera") {
   MapWindow window(36);
   ImGui::GetIO().MousePos = window.place_of(10);
