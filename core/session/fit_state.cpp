@@ -7,14 +7,6 @@
 
 namespace archetype {
 
-namespace {
-
-// Another one where the same template and options lead to other fits than before: what an earlier program
-// fitted is fitted anew, and what it began to learn is begun anew.
-constexpr int method = 2;
-
-}  // namespace
-
 std::vector<std::pair<std::string, double>> named_options(const FitOptions& options) {
   // Taken apart by position, so that an option which is added there and forgotten here does not compile.
   const auto& [distance_unit, alpha, deformation_tail, turn_stddev, round_share, beta, gamma, null_cost,
@@ -49,7 +41,7 @@ std::vector<std::pair<std::string, double>> named_options(const FitOptions& opti
 }
 
 ContentHash fit_state(const std::vector<PartTemplate>& templates, const FitOptions& options) {
-  std::string text = "archetype " ARCHETYPE_VERSION "\nmethod " + std::to_string(method) + "\n";
+  std::string text = "archetype " ARCHETYPE_VERSION "\n";
   for (const auto& [name, value] : named_options(options)) {
     text += name + "=" + number_text(value) + "\n";
   }
