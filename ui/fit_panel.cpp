@@ -67,9 +67,9 @@ void draw_energy(const Studio& studio, const FitEnergy& energy) {
 void draw_yaws(const Studio& studio, const ShapeFit& fit) {
   muted_text(studio, "Yaw");
   tooltip(
-      "The total energy that each quarter turn about up ended with; the least decides, and is then fitted "
-      "once "
-      "more, which may make it less still. lacks: a part that must exist was not found.");
+      "The total energy that each quarter turn about up reached with all parts as boxes; the least decides. "
+      "That fit then takes round parts, leaves out what the shape lacks, and is tried once more, so that the "
+      "number above may be another. With \"lacks\" a part that must exist was not found.");
   const float width = (ImGui::GetContentRegionAvail().x - 48 * studio.fonts.scale) / 4;
   for (int quarter = 0; quarter < 4; ++quarter) {
     ImGui::SameLine(48 * studio.fonts.scale + width * static_cast<float>(quarter));

@@ -14,7 +14,7 @@ namespace {
 // Where what was done or undone last lies out of sight.
 void bring_into_sight(std::size_t row) {
   const float height = ImGui::GetTextLineHeightWithSpacing();
-  const float top = static_cast<float>(row) * height;
+  const float top = ImGui::GetCursorPosY() + static_cast<float>(row) * height;
   const float room = ImGui::GetWindowHeight();
   if (top < ImGui::GetScrollY() || top + height > ImGui::GetScrollY() + room)
     ImGui::SetScrollY(std::max(0.0F, top - 0.5F * (room - height)));
@@ -25,8 +25,8 @@ void bring_into_sight(std::size_t row) {
 void draw_history_panel(Studio& studio) {
   const auto& entries = studio.history.entries();
   std::size_t wanted = studio.history.position();
-  if (studio.ui.listed_revision != studio.history.revision()) bring_into_sight(wanted);
-  studio.ui.listed_revision = studio.history.revision();
+  if (studio.ui.listed_revision != studio.history.committed_revision()) bring_into_sight(wanted);
+  studio.ui.listed_revision = studio.history.committed_revision();
   const float edge = ImGui::GetStyle().ItemSpacing.x;  // by half of it rows are highlighted beyond their text
   ImGui::Indent(edge);
   ImGuiListClipper clipper;

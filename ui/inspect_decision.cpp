@@ -38,7 +38,9 @@ std::string why_not_least(const Alternatives& alternatives, const ShapeCorrectio
     return begin + "is not what was pinned.";
   if (!alternatives.yaw_costs)
     return begin + "other shapes voted on the yaw, and how is not kept: fit all shapes anew to see it.";
-  return begin + "each template takes its yaw before it leaves out parts that the shape lacks.";
+  return begin +
+         "each template takes its yaw before it leaves out parts that the shape lacks and is fitted once "
+         "more.";
 }
 
 }  // namespace
@@ -56,7 +58,8 @@ const FitAlternative* decided_alternative(const Alternatives& alternatives,
   const std::vector<bool> allowed = allowed_by(alternatives, correction);
   std::optional<int> yaw = correction.yaw_quarters;
   if (!yaw && !alternatives.yaw_costs && shape.fit) yaw = shape.fit->fit.yaw_quarters;
-  // fit_template() takes the yaw by the energies that all parts reach together, before it leaves any out.
+  // fit_template() takes the yaw by the energies that all parts reach together, before it leaves any out or
+  // tries once more.
   const auto cost_of_yaw = [&](const FitAlternative& each) {
     const auto quarter = static_cast<std::size_t>(each.fit.yaw_quarters);
     const bool votes = alternatives.yaw_costs && !yaw;

@@ -34,8 +34,7 @@ void draw_cross(ImDrawList& draw, ImVec2 at, ImU32 colour, float radius) {
   draw.AddCircle(at, radius, colour, 0, radius * 0.3F);
 }
 
-// What follows the name of the shape.
-std::string title_of(const Studio& studio, const Side& side, std::size_t index) {
+std::string after_name_of(const Studio& studio, const Side& side, std::size_t index) {
   const InspectedShape& shape = *side.side.shape;
   if (!side.look) return shape.fit ? "" : "   not fitted yet";
   char text[128];
@@ -54,7 +53,7 @@ std::string title_of(const Studio& studio, const Side& side, std::size_t index) 
 void draw_title(Studio& studio, ImDrawList& draw, const Side& side, std::size_t index, float width) {
   const float scale = studio.fonts.scale;
   const float room = width - 24 * scale;
-  const std::string rest = title_of(studio, side, index);
+  const std::string rest = after_name_of(studio, side, index);
   // Where it gets narrow the name is cut before what is said of the fit.
   const float least = 60 * scale;
   const float left = std::max(room - ImGui::CalcTextSize(rest.c_str()).x, least);

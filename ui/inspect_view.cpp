@@ -267,7 +267,8 @@ void draw_steps(Studio& studio) {
   int at = step ? std::min(static_cast<int>(*step), last) : last;
   ImGui::AlignTextToFramePadding();
   muted_text(studio, "Alternations");
-  tooltip("From the boxes at their means to the end: labels, boxes and energy after each alternation.");
+  tooltip(
+      "From the boxes that the fit began with to its end: labels, boxes and energy after each alternation.");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(std::max(60 * scale, ImGui::GetContentRegionAvail().x - 190 * scale));
   if (ImGui::SliderInt("##step", &at, 0, last, at == 0 ? "start" : "%d")) {

@@ -144,7 +144,7 @@ void follow_map_mouse(Studio& studio, const MadeMap& made, const MapSpace& space
     if (!state.panning) state.outline.push_back(io.MousePos);
   }
   if (active && state.panning) {
-    state.whole = false;
+    state.whole = state.whole && io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
     state.x -= io.MouseDelta.x / state.zoom;
     state.y += io.MouseDelta.y / state.zoom;
   } else if (active && !state.outline.empty()) {

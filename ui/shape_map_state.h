@@ -32,8 +32,9 @@ struct MapState {
   MapTool tool = MapTool::rectangle;
   bool pictures = true;
   bool sliders = true;
-  bool whole = true;  // as it fits, until it is zoomed or panned
-  // What is in the middle of the view, and how many screen units are as long as one of the map.
+  // What is in the middle of the view, and how many screen units are as long as one of the map; found anew in
+  // every frame while the whole map is shown, which is until it is zoomed or panned.
+  bool whole = true;
   double x = 0;
   double y = 0;
   double zoom = 1;

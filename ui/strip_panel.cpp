@@ -77,6 +77,7 @@ void draw_tile_picture(Studio& studio, StripTile& tile, ImVec2 size) {
 
 // On a ground of its own: the boxes of the picture reach anywhere.
 void draw_text(const Studio& studio, ImVec2 at, const ImVec4& colour, const std::string& text) {
+  if (text.empty()) return;
   const float scale = studio.fonts.scale;
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   ImVec4 ground = colours(studio).panel;

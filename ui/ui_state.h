@@ -156,10 +156,11 @@ struct UiState {
   KeyChange key_change;              // in that list
   bool about = false;                // with the credits
   Closing closing;
-  std::string status;                 // the line at the bottom: what was done last
-  std::uint64_t told_revision = 0;    // the committed revision of the history that it has told of
-  std::string told_status;            // and what it said then
-  std::uint64_t listed_revision = 0;  // the revision of the history whose step the list brought into sight
+  std::string status;               // the line at the bottom: what was done last
+  std::uint64_t told_revision = 0;  // the committed revision of the history that it has told of
+  std::string told_status;          // and what it said then
+  std::uint64_t listed_revision =
+      0;  // the committed one whose step the list of the history brought into sight
 };
 
 }  // namespace archetype

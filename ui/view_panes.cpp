@@ -152,7 +152,8 @@ void draw_pane_title(Studio& studio, const PlacedPane& placed) {
                 ImGui::GetColorU32(hovered ? colours(studio).text : colours(studio).muted),
                 pane_title(studio, placed.index));
   ImGui::PopFont();
-  if (hovered) tooltip(four ? "Make this view large (4)" : "Perspective, top, front and right at once (4)");
+  if (hovered)
+    tooltip(four ? "Make this view large (4)" : "Four views at once: free, top, front and right (4)");
   if (!clicked) return;
   four = !four;
   studio.viewport.current = placed.index;

@@ -347,7 +347,10 @@ std::optional<ShapeFit> fit_template(const PartTemplate& part_template, const Sh
     if (!best || run.comparable_energy() < best->comparable_energy()) best = &run;
   }
   if (!run_to_end(fitter, *best, options, control, advance)) return std::nullopt;
-  // Differs from the paper: once more from there. (Two times more gained nothing further.)
+  // Differs from the paper: once more, with all parts, from the boxes that this carries. A part whose mean
+  // box lay far off was left out before it could move to where the shape has it. (Vases, own labels by area
+  // of five samplings: 84.2 -> 85.4 %; three times gains nothing further, and before the yaw is chosen it
+  // loses.)
   Alternation again = fitter.carried(*best);
   if (!run_to_end(fitter, again, options, control, advance)) return std::nullopt;
   if (again.fit.energy.total() < best->fit.energy.total()) *best = std::move(again);

@@ -15,7 +15,7 @@
 
 namespace archetype {
 
-// The state after each alternation, for inspection: entry 0 is the start (mean boxes, no labels).
+// The state after each alternation, for inspection: entry 0 is the boxes that it began with, without labels.
 struct FitRecording {
   std::vector<ShapeFit> steps;
 };
@@ -26,16 +26,16 @@ struct FitRecording {
 // gives no evidence for (evidence.h), one after the other; the energy may rise when a part goes. What is
 // found so is tried once more from boxes that it carries (starting_boxes.h), and kept if that is better. The
 // template needs at least one part; the samples at least one point. A cancelled fit returns nothing.
-// `recording`, if given, receives the alternations of the winning yaw. Samples of `pinned` (pinned_labels.h)
-// keep their labels, and their parts are not dropped. Deterministic; about 10 ms for 1,000 samples, 8 parts
-// and 4 yaws.
+// `recording`, if given, receives the alternations that led to the fit: of the first try or of the second.
+// Samples of `pinned` (pinned_labels.h) keep their labels, and their parts are not dropped. Deterministic;
+// about 10 ms for 1,000 samples, 8 parts and 4 yaws.
 std::optional<ShapeFit> fit_template(const PartTemplate& part_template, const ShapeSamples& samples,
                                      const FitOptions& options, const JobControl& control = {},
                                      FitRecording* recording = nullptr,
                                      std::span<const PinnedLabel> pinned = {});
 
 // The same from a fit that is near already: its yaw, translation and labels are the start, no other yaw is
-// tried.
+// tried, and nothing once more.
 std::optional<ShapeFit> refit_template(const PartTemplate& part_template, const ShapeSamples& samples,
                                        const ShapeFit& start, const FitOptions& options,
                                        const JobControl& control = {},

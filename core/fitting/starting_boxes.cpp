@@ -10,16 +10,16 @@ namespace {
 // A bench is three times as wide as a chair; what takes more is another kind of thing.
 constexpr double largest_stretch = 3.5;
 
-// Scales the template as a whole along its axes, and moves it.
-struct Carrying {
-  Vec3 scale = Vec3::Ones();
+// Of the template as a whole, along its axes.
+struct StretchAndShift {
+  Vec3 stretch = Vec3::Ones();
   Vec3 shift = Vec3::Zero();
 
   void apply(Box& box) const {
-    box.centre = scale.cwiseProduct(box.centre) + shift;
+    box.centre = stretch.cwiseProduct(box.centre) + shift;
     const Mat3 axes = box.orientation.toRotationMatrix();
     for (int axis = 0; axis < 3; ++axis) {
-      const double grown = box.half_extent[axis] * scale.cwiseProduct(axes.col(axis)).norm();
+      const double grown = box.half_extent[axis] * stretch.cwiseProduct(axes.col(axis)).norm();
       box.half_extent[axis] = std::max(grown, smallest_half_extent);
     }
   }
@@ -30,8 +30,8 @@ Vec3 reach(const Box& box) {
   return box.orientation.toRotationMatrix().cwiseAbs() * box.half_extent;
 }
 
-Vec3 within_largest_stretch(const Vec3& scale) {
-  return scale.cwiseMax(1 / largest_stretch).cwiseMin(largest_stretch);
+Vec3 within_largest_stretch(const Vec3& stretch) {
+  return stretch.cwiseMax(1 / largest_stretch).cwiseMin(largest_stretch);
 }
 
 }  // namespace
@@ -52,41 +52,41 @@ std::vector<Box> stretched_boxes(const PartTemplate& part_template, std::span<co
     own.add(box.centre - reach(box));
     own.add(box.centre + reach(box));
   }
-  Carrying carrying;
-  carrying.scale = within_largest_stretch(shape.half_extent().cwiseQuotient(own.half_extent()));
-  carrying.shift = shape.centre() - carrying.scale.cwiseProduct(own.centre());
-  for (Box& box : boxes) carrying.apply(box);
+  StretchAndShift whole;
+  whole.stretch = within_largest_stretch(shape.half_extent().cwiseQuotient(own.half_extent()));
+  whole.shift = shape.centre() - whole.stretch.cwiseProduct(own.centre());
+  for (Box& box : boxes) whole.apply(box);
   return boxes;
 }
 
 std::vector<Box> carried_boxes(const PartTemplate& part_template, std::span<const FittedPart> fitted) {
   std::vector<Box> boxes = mean_boxes(part_template);
-  // Sums over both ends of every part that is there, by axis: from where they are in the mean to where they
-  // were found.
-  double ends = 0;
-  Vec3 from = Vec3::Zero();
-  Vec3 to = Vec3::Zero();
-  Vec3 from_from = Vec3::Zero();
-  Vec3 from_to = Vec3::Zero();
+  double present = 0;
+  Vec3 mean_middle = Vec3::Zero();
+  Vec3 found_middle = Vec3::Zero();
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     if (!fitted[k].present) continue;
-    for (const double side : {-1.0, 1.0}) {
-      const Vec3 mean_end = boxes[k].centre + side * reach(boxes[k]);
-      const Vec3 found_end = fitted[k].box.centre + side * reach(fitted[k].box);
-      ends += 1;
-      from += mean_end;
-      to += found_end;
-      from_from += mean_end.cwiseAbs2();
-      from_to += mean_end.cwiseProduct(found_end);
-    }
+    present += 1;
+    mean_middle += boxes[k].centre;
+    found_middle += fitted[k].box.centre;
   }
-  if (ends == 0) return boxes;
-  // Positive, since no box is flat.
-  const Vec3 spread = from_from - from.cwiseAbs2() / ends;
-  Carrying carrying;
-  carrying.scale = within_largest_stretch((from_to - from.cwiseProduct(to) / ends).cwiseQuotient(spread));
-  carrying.shift = (to - carrying.scale.cwiseProduct(from)) / ends;
-  for (Box& box : boxes) carrying.apply(box);
+  if (present == 0) return boxes;
+  mean_middle /= present;
+  found_middle /= present;
+  Vec3 spread = Vec3::Zero();  // positive, since no box is flat
+  Vec3 together = Vec3::Zero();
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    if (!fitted[k].present) continue;
+    const Vec3 from = boxes[k].centre - mean_middle;
+    const Vec3 to = fitted[k].box.centre - found_middle;
+    const Vec3 mean_reach = reach(boxes[k]);
+    spread += from.cwiseAbs2() + mean_reach.cwiseAbs2();
+    together += from.cwiseProduct(to) + mean_reach.cwiseProduct(reach(fitted[k].box));
+  }
+  StretchAndShift whole;
+  whole.stretch = within_largest_stretch(together.cwiseQuotient(spread));
+  whole.shift = found_middle - whole.stretch.cwiseProduct(mean_middle);
+  for (Box& box : boxes) whole.apply(box);
   return boxes;
 }
 

@@ -23,7 +23,7 @@ std::vector<Box> stretched_boxes(const PartTemplate& part_template, std::span<co
 inline constexpr double stretch_handicap = 1.15;
 
 // The mean boxes stretched and moved along the template's axes as a whole, as those of the parts that are
-// present were on the way from their mean boxes to the fitted ones (least squares over where they end along
+// present were on the way from their mean boxes to the fitted ones (least squares over both their ends along
 // each axis). A part that was left out, since its mean box lay far from it, is carried to where the others
 // say that it should be. fitted: one per part of the template.
 std::vector<Box> carried_boxes(const PartTemplate& part_template, std::span<const FittedPart> fitted);

@@ -179,7 +179,10 @@ ShapeFit alternate(const Plain& plain, const ShapeFit& start, std::vector<Box> b
     const bool same = next.labels == fit.labels;
     next.alternations = step + 1;
     next.parts.clear();
-    for (const Box& box : boxes) next.parts.push_back({true, box});
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      const bool present = std::ranges::count(next.labels, static_cast<std::int16_t>(k)) > 0;
+      next.parts.push_back({present, present ? boxes[k] : plain.part_template.parts[k].mean_box()});
+    }
     fit = next;
     if (same) break;
     const Vec3 move = rigid_step(shape, boxes);
