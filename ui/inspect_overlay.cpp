@@ -40,7 +40,7 @@ std::string after_name_of(const Studio& studio, const Side& side, std::size_t in
   char text[128];
   std::snprintf(text, sizeof text, "   %s   yaw %d°   energy %.4f", side.look->part_template->name.c_str(),
                 side.look->fit.yaw_quarters * 90, side.look->fit.energy.total());
-  const std::string title = text;
+  std::string title = text;
   if (index != 0) return title;
   if (studio.ui.inspect.step) return title + "   (on its way)";
   const auto shown = shown_alternative(studio);
