@@ -28,7 +28,7 @@ struct FitRecording {
 // template needs at least one part; the samples at least one point. A cancelled fit returns nothing.
 // `recording`, if given, receives the alternations that led to the fit: of the first try or of the second.
 // Samples of `pinned` (pinned_labels.h) keep their labels, and their parts are not dropped. Deterministic;
-// about 10 ms for 1,000 samples, 8 parts and 4 yaws.
+// about 40 ms for 1,000 samples, 8 parts and 4 yaws.
 std::optional<ShapeFit> fit_template(const PartTemplate& part_template, const ShapeSamples& samples,
                                      const FitOptions& options, const JobControl& control = {},
                                      FitRecording* recording = nullptr,
