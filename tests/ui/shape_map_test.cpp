@@ -36,6 +36,14 @@ struct MapWindow : TestWindow {
   ImVec2 place_of(std::size_t point) {
     return space().at(map(), studio().shape_map.newest->map.points[point]);
   }
+  void wheel_over(ImVec2 place, float notches) {
+    ImGui::GetIO().MousePos = place;
+    frames(2);
+    ImGui::GetIO().MouseWheel = notches;
+    frames(1);
+    ImGui::GetIO().MouseWheel = 0;
+    frames(1);
+  }
   void press_at(ImVec2 place) {
     ImGui::GetIO().MousePos = place;
     frames(2);
@@ -157,12 +165,7 @@ TEST_CASE("The wheel zooms about the cursor, Shift pans, F shows the whole map a
   MapWindow window(36);
   const double zoom = window.map().zoom;
   const ImVec2 before = window.place_of(10);
-  ImGui::GetIO().MousePos = before;
-  window.frames(2);
-  ImGui::GetIO().MouseWheel = 4;
-  window.frames(1);
-  ImGui::GetIO().MouseWheel = 0;
-  window.frames(1);
+  window.wheel_over(before, 4);
   CHECK(window.map().zoom > 1.5 * zoom);
   CHECK(window.place_of(10).x == doctest::Approx(before.x).epsilon(0.01));
   CHECK(window.place_of(10).y == doctest::Approx(before.y).epsilon(0.01));
@@ -186,12 +189,7 @@ TEST_CASE("A map that is shown whole fills a view of another size, and one that 
   window.frames(3);
   const double high = window.map().zoom;
   CHECK(high > 1.05 * low);
-  ImGui::GetIO().MousePos = window.place_of(10);
-  window.frames(2);
-  ImGui::GetIO().MouseWheel = 1;
-  window.frames(1);
-  ImGui::GetIO().MouseWheel = 0;
-  window.frames(1);
+  window.wheel_over(window.place_of(10), 1);
   const double zoomed = window.map().zoom;
   CHECK(zoomed > 1.1 * high);
   REQUIRE(run_command(window.studio(), "map-sliders"));
@@ -202,12 +200,7 @@ TEST_CASE("A map that is shown whole fills a view of another size, and one that 
 
 TEST_CASE("The map is found as it was left, whatever keys were pressed in views without a camera") {
   MapWindow window(36);
-  ImGui::GetIO().MousePos = window.place_of(10);
-  window.frames(2);
-  ImGui::GetIO().MouseWheel = 4;
-  window.frames(1);
-  ImGui::GetIO().MouseWheel = 0;
-  window.frames(1);
+  window.wheel_over(window.place_of(10), 4);
   const MapState left = window.map();
   for (const char* view : {"show-clusters", "show-plots", "show-cloud", "show-inspect", "show-shape"}) {
     REQUIRE(run_command(window.studio(), view));
