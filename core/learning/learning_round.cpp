@@ -264,7 +264,8 @@ class Round {
       return false;
     if (!split) return true;
     const double needed = options_.divided_share * static_cast<double>(members.judging);
-    if (split->gain <= 0 || static_cast<double>(split->agreeing) < needed) return true;
+    const double worth_it = options_.least_division_gain * static_cast<double>(judging_);
+    if (split->gain <= worth_it || static_cast<double>(split->agreeing) < needed) return true;
     const std::string name = result_.templates[t].part_template.name;
     for (std::size_t m = 0; m < indices.size(); ++m) {
       const std::size_t side = split->sides[m];

@@ -68,6 +68,26 @@ TEST_CASE("benches part from chairs, with the same bytes for any number of threa
   for (std::size_t t = 0; t < alone.size(); ++t) CHECK(alone[t].part_template == learned[t].part_template);
 }
 
+TEST_CASE("a division is made if it lowers the mean energy of the collection by enough") {
+  std::vector<ShapeSamples> shapes;
+  add_chairs(shapes, "plain", 8, points);
+  add_chairs(shapes, "bench", 8, points);
+  LearnOptions options;
+  std::vector<LearnedTemplate> templates{{chair_template(), chair_template()}};
+  const auto round = [&] { return *learning_round(templates, shapes, {}, {}, options, 2, {}); };
+  LearningRound divided = round();
+  for (int i = 0; i < 6 && divided.templates.size() == 1; ++i) {
+    templates = divided.templates;
+    divided = round();
+  }
+  REQUIRE(divided.templates.size() > 1);
+  const double gain = divided.energy_before - divided.energy;
+  options.least_division_gain = 0.5 * gain;  // some of it comes without a division
+  CHECK(round().templates.size() == divided.templates.size());
+  options.least_division_gain = gain;
+  CHECK(round().templates.size() == 1);
+}
+
 TEST_CASE("a division that gained too little is not tried again for about the same shapes") {
   std::vector<ShapeSamples> shapes;
   add_chairs(shapes, "plain", 10, points);
