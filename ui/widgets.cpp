@@ -138,13 +138,18 @@ std::string count_text(std::size_t count) {
   return text;
 }
 
+float separator_width(const Studio& studio) {
+  return 17 * studio.fonts.scale;
+}
+
 void separator_in_line(const Studio& studio) {
-  ImGui::SameLine(0, 8 * studio.fonts.scale);
+  const float before = std::floor(separator_width(studio) / 2);
+  ImGui::SameLine(0, before);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
   ImGui::GetWindowDrawList()->AddLine({at.x, at.y + height * 0.2f}, {at.x, at.y + height * 0.8f},
                                       ImGui::GetColorU32(colours(studio).border), studio.fonts.scale);
-  ImGui::SameLine(0, 9 * studio.fonts.scale);
+  ImGui::SameLine(0, separator_width(studio) - before);
 }
 
 float share_of_width(int columns) {

@@ -23,7 +23,7 @@ struct FitAlternative {
 };
 
 // The fit of each template at each of the four yaws, by template and then yaw; pinned samples hold, pinned
-// yaws and templates do not. What cannot be fitted is left out. Nothing if cancelled. About 10 ms for each
+// yaws and templates do not. What cannot be fitted is left out. Nothing if cancelled. About 40 ms for each
 // template of 1,000 samples and 8 parts, and half as much for each of the yaws.
 std::optional<std::vector<FitAlternative>> fit_alternatives(std::span<const PartTemplate> templates,
                                                             const ShapeSamples& samples,
