@@ -114,7 +114,7 @@ std::string fitted(const std::string& text, float width) {
     cut.pop_back();
     while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xc0) == 0x80)
       cut.pop_back();  // whole letters
-    const std::string shown = cut + "…";
+    std::string shown = cut + "…";
     if (ImGui::CalcTextSize(shown.c_str()).x <= width) return shown;
   }
   return "";

@@ -78,6 +78,20 @@ TEST_CASE("The average is clearly seen beside and over the shape, dark and light
   }
 }
 
+TEST_CASE("The tool bar of a small window has all tools, and the switches of what is drawn") {
+  TestWindow window(1280, 720);
+  window.open_chairs(1);
+  window.make_template();
+  window.settle();
+  for (const char* command : {"tool-move", "tool-scale", "tool-rotate", "snapping", "surface", "wireframe",
+                              "points", "part-colours", "boxes", "fitted-boxes"}) {
+    CAPTURE(command);
+    CHECK(std::ranges::any_of(window.studio().targets, [&](const Target& target) {
+      return target.name == std::string("command:") + command;
+    }));
+  }
+}
+
 TEST_CASE("All that shows what a template does fits into a small window, dark and light, at both scales") {
   for (const float scale : {1.0F, 2.0F}) {
     TestWindow window(static_cast<int>(1280 * scale), static_cast<int>(720 * scale), scale);
