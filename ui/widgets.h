@@ -38,7 +38,7 @@ std::string count_text(std::size_t count);                        // "12,345"
 
 // A line between groups of buttons in a row; the next item follows on the same line.
 void separator_in_line(const Studio& studio);
-float separator_width(const Studio& studio);
+float separator_width(const Studio& studio);  // with the gaps on its two sides
 // Buttons in a row as wide as the panel.
 float share_of_width(int columns);
 

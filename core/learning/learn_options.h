@@ -24,9 +24,9 @@ struct LearnOptions {
   double agreeing_share = 0.9;
   // A division is taken if so many fit better: of 16 chairs, 14 fit clearly better divided by their backs.
   double divided_share = 0.8;
-  // A division is worth its while if the mean energy of the whole collection falls by so much: of 96 seats no
-  // two are alike, and each of many more templates gains 0.01 (chairs with and without arms among 36 seats:
-  // 0.016).
+  // A division is worth its while if the mean energy of the whole collection falls by so much. Differs from
+  // the paper, which makes a template of every cluster that is large enough: of 96 seats no two are alike,
+  // and each of many more templates gains 0.01 (chairs with and without arms among 36 seats: 0.016).
   double least_division_gain = 0.015;
   // A template needs at least this share of the shapes that its parent had, and this many (the spread of
   // fewer tells nothing: with 3, benches without a back become a style wherever there are three of them).
