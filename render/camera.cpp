@@ -116,6 +116,27 @@ void frame(Camera& camera, const Viewport& viewport, const glm::dvec3& low, cons
   camera.distance = std::clamp(distance, 1e-4, 1e6);
 }
 
+bool shows_all(const Camera& camera, const Viewport& viewport, std::span<const glm::vec3> points) {
+  const glm::dvec3 from = eye(camera);
+  const glm::dmat3 to_axes =
+      glm::transpose(glm::dmat3(right_axis(camera), up_axis(camera), -back_axis(camera)));
+  const double tan_y = std::tan(0.5 * camera.field_of_view);
+  const double tan_x = tan_y * aspect(viewport);
+  return std::ranges::all_of(points, [&](const glm::vec3& point) {
+    const glm::dvec3 p = to_axes * (glm::dvec3(point) - from);
+    const double depth = camera.orthographic ? camera.distance : p.z;
+    return std::abs(p.x) <= tan_x * depth && std::abs(p.y) <= tan_y * depth;
+  });
+}
+
+bool outgrows(WholeView& before, const Camera& camera, const Viewport& viewport,
+              std::span<const glm::vec3> points) {
+  const WholeView now{camera, shows_all(camera, viewport, points)};
+  const bool outgrown = before.whole && !now.whole && before.camera == camera;
+  before = now;
+  return outgrown;
+}
+
 void frame_points(Camera& camera, const Viewport& viewport, std::span<const glm::vec3> points,
                   double margin) {
   if (points.empty()) return;

@@ -47,6 +47,20 @@ void frame(Camera& camera, const Viewport& viewport, const glm::dvec3& low, cons
 void frame_points(Camera& camera, const Viewport& viewport, std::span<const glm::vec3> points,
                   double margin = 0.08);
 
+// Whether all of the points are in the picture.
+bool shows_all(const Camera& camera, const Viewport& viewport, std::span<const glm::vec3> points);
+
+// What a camera saw in one picture, to tell in the next one whether it has to follow.
+struct WholeView {
+  Camera camera;
+  bool whole = false;  // everything was in the picture
+};
+// Remembers whether the points are in the picture, and says whether some stick out now of what held all there
+// was before, by the same camera: another, larger shape has taken its place. A camera that shows a detail,
+// and one that was moved, is left where it is.
+bool outgrows(WholeView& before, const Camera& camera, const Viewport& viewport,
+              std::span<const glm::vec3> points);
+
 // Between two cameras, for moves that the eye can follow: t = 0 gives `from`, t = 1 gives `to` exactly. Turns
 // the shorter way.
 Camera blend(const Camera& from, const Camera& to, double t);

@@ -52,10 +52,13 @@ void draw_head(Studio& studio) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float order_width = 96 * studio.fonts.scale;
   const float filter_width = ImGui::GetFrameHeight();
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - order_width - filter_width - 2 * gap);
+  const float search_room = ImGui::GetContentRegionAvail().x - order_width - filter_width - 2 * gap;
+  // A narrow panel has a line for the search alone.
+  const bool own_line = search_room < 90 * studio.fonts.scale;
+  ImGui::SetNextItemWidth(own_line ? -1 : search_room);
   ImGui::InputTextWithHint("##filter", (std::string(icon::search) + "  Search").c_str(), &shown.filter.name);
   mark_target(studio, "grid:filter");
-  ImGui::SameLine();
+  if (!own_line) ImGui::SameLine();
   draw_order_button(studio, "grid:order", order_width);
   ImGui::SameLine();
   draw_filter_button(studio, filter_width);

@@ -63,32 +63,47 @@ void draw_energy(const Studio& studio, const FitEnergy& energy) {
   energy_row(studio, "Existence", "How unlikely it is that just these parts are there.", terms[5], largest);
 }
 
-// The four yaws that were tried; what is not finite was not.
-void draw_yaws(const Studio& studio, const ShapeFit& fit) {
+// What a yaw scored; what is not finite was not tried.
+std::string yaw_text(const ShapeFit& fit, int quarter) {
+  const double energy = fit.yaw_energies[static_cast<std::size_t>(quarter)];
+  char text[48];
+  if (std::isfinite(energy) && energy >= missing_must_exist_energy)
+    std::snprintf(text, sizeof text, "%d° lacks", quarter * 90);
+  else if (std::isfinite(energy))
+    std::snprintf(text, sizeof text, "%d° %.3f", quarter * 90, energy);
+  else
+    std::snprintf(text, sizeof text, "%d° –", quarter * 90);
+  return text;
+}
+
+// All four in a line, or two and two where the panel is too narrow for that.
+void draw_yaws(Studio& studio, const ShapeFit& fit) {
   muted_text(studio, "Yaw");
   tooltip(
       "The total energy that each quarter turn about up reached with all parts as boxes; the least decides. "
       "That fit then takes round parts, leaves out what the shape lacks, and is tried once more, so that the "
       "number above may be another. With \"lacks\" a part that must exist was not found.");
-  const float width = (ImGui::GetContentRegionAvail().x - 48 * studio.fonts.scale) / 4;
+  const float indent = 48 * studio.fonts.scale;
+  const float room = ImGui::GetContentRegionAvail().x - indent;
+  ImGui::PushFont(studio.fonts.small);
+  float widest = 0;
+  for (int quarter = 0; quarter < 4; ++quarter)
+    widest = std::max(widest, ImGui::CalcTextSize(yaw_text(fit, quarter).c_str()).x);
+  const int columns = widest + 4 * studio.fonts.scale <= room / 4 ? 4 : 2;
   for (int quarter = 0; quarter < 4; ++quarter) {
-    ImGui::SameLine(48 * studio.fonts.scale + width * static_cast<float>(quarter));
-    const double energy = fit.yaw_energies[static_cast<std::size_t>(quarter)];
-    char text[48];
-    if (std::isfinite(energy) && energy >= missing_must_exist_energy)
-      std::snprintf(text, sizeof text, "%d° lacks", quarter * 90);
-    else if (std::isfinite(energy))
-      std::snprintf(text, sizeof text, "%d° %.3f", quarter * 90, energy);
+    const int column = quarter % columns;
+    if (quarter == 0 || column != 0)
+      ImGui::SameLine(indent + room / static_cast<float>(columns) * static_cast<float>(column));
     else
-      std::snprintf(text, sizeof text, "%d° –", quarter * 90);
-    ImGui::PushFont(studio.fonts.small);
-    if (quarter == fit.yaw_quarters) {
-      ImGui::TextColored(colours(studio).accent, "%s", text);
-    } else {
+      ImGui::SetCursorPosX(indent);
+    const std::string text = yaw_text(fit, quarter);
+    if (quarter == fit.yaw_quarters)
+      ImGui::TextColored(colours(studio).accent, "%s", text.c_str());
+    else
       muted_text(studio, text);
-    }
-    ImGui::PopFont();
+    mark_target(studio, "fit:yaw:" + std::to_string(quarter * 90));
   }
+  ImGui::PopFont();
 }
 
 void draw_parts(const Studio& studio, const ViewFit& view) {

@@ -227,8 +227,8 @@ void frame_shapes(Studio& studio, const PlacedSide& placed) {
                                  ViewPreset::three_quarter};
     look_from(inspection.camera, presets[static_cast<std::size_t>(*view)]);
   }
-  if (inspection.framed && !wanted && view != CameraView::home) return;
   // Until all is there that will be shown it is framed anew.
+  const bool again = !inspection.framed || wanted || view == CameraView::home;
   inspection.framed = true;
   std::vector<glm::vec3> points;
   for (std::size_t side = 0; side < (studio.ui.inspect.beside ? 2 : 1); ++side) {
@@ -238,7 +238,9 @@ void frame_shapes(Studio& studio, const PlacedSide& placed) {
     const std::vector<glm::vec3> more = inspected_points(content_of(studio, side));
     points.insert(points.end(), more.begin(), more.end());
   }
-  frame_points(inspection.camera, placed.viewport(), points);
+  if (points.empty() || (inspection.mouse.action != MouseAction::none && !again)) return;
+  if (again || outgrows(inspection.seen, inspection.camera, placed.viewport(), points))
+    frame_points(inspection.camera, placed.viewport(), points);
 }
 
 void draw_empty(Studio& studio) {

@@ -92,6 +92,7 @@ struct Inspection {
 
   Camera camera;  // of both sides: the shapes stand in the frame of the template
   bool framed = false;
+  WholeView seen;  // of all that is shown
   CameraMouse mouse;
   std::size_t held = 0;               // the side that the mouse button went down on
   bool stroking = false;              // the brush is down

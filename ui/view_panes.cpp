@@ -112,15 +112,28 @@ void take_wishes(Studio& studio, const ViewportContent& content, const std::vect
 
 void follow_flight(Studio& studio, const ViewportContent& content, const PlacedPane& placed) {
   ViewPane& pane = studio.viewport.panes[placed.index];
+  // Whatever is selected: it is the shape that is brought into sight.
+  const auto unselected = [&] {
+    ViewportContent all = content;
+    all.selected.reset();
+    return all;
+  };
   if (!pane.framed && studio.viewport.display.shape_revision != 0) {
-    ViewportContent whole = content;  // whatever is selected: a pane shows the shape when it is first seen
-    whole.selected.reset();
-    if (const auto extent = extent_to_frame(whole)) {
+    if (const auto extent = extent_to_frame(unselected())) {
       frame(pane.camera, placed.viewport(), extent->first, extent->second);
       pane.framed = true;
     }
   }
   if (pane.flight && !advance_flight(*pane.flight, pane.camera)) pane.flight.reset();
+  if (pane.flight || studio.viewport.action != MouseAction::none) return;
+  const auto extent = shape_extent(content.display, content.fit);
+  if (!extent) return;
+  const auto& [low, high] = *extent;
+  std::array<glm::vec3, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    corners[i] = {(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
+                  (i & 4) != 0 ? high.z : low.z};
+  if (outgrows(pane.seen, pane.camera, placed.viewport(), corners)) frame_content(pane, placed, unselected());
 }
 
 ScreenRect pane_title_place(const Studio& studio, const PlacedPane& placed) {

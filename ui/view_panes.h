@@ -54,6 +54,7 @@ inline constexpr std::size_t pane_count = 4;  // in the order of PaneKind
 struct ViewPane {
   Camera camera;
   bool framed = false;  // the first shape has been brought into the picture
+  WholeView seen;       // of the shape, when the camera stood still last
   std::optional<CameraFlight> flight;
 
   RenderTarget target;
@@ -78,7 +79,8 @@ std::vector<PlacedPane> place_panes(const Studio& studio, ImVec2 origin, ImVec2 
 
 // Hands what commands wish for to the panes; once a frame.
 void take_wishes(Studio& studio, const ViewportContent& content, const std::vector<PlacedPane>& placed);
-// Moves the camera of a pane on, and brings the first shape into its picture.
+// Moves the camera of a pane on, and brings the first shape into its picture, and each later one that is too
+// large for it, unless the camera is close to a detail.
 void follow_flight(Studio& studio, const ViewportContent& content, const PlacedPane& placed);
 
 // What the corner of the pane says; the first one may be without perspective.

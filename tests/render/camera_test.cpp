@@ -133,6 +133,32 @@ TEST_CASE("a point behind the eye is nowhere on the screen") {
   CHECK_FALSE(to_screen(camera, viewport, eye(camera) + back_axis(camera)));
 }
 
+TEST_CASE("a camera has to follow what outgrows its picture, if it was not moved and saw all there was") {
+  for (const bool orthographic : {false, true}) {
+    CAPTURE(orthographic);
+    Camera camera;
+    camera.orthographic = orthographic;
+    frame(camera, viewport, glm::dvec3(-1), glm::dvec3(1), 0);
+    const auto corners = [](float size) {
+      std::vector<glm::vec3> points;
+      for (int i = 0; i < 8; ++i)
+        points.emplace_back((i & 1) != 0 ? size : -size, (i & 2) != 0 ? size : -size,
+                            (i & 4) != 0 ? size : -size);
+      return points;
+    };
+    CHECK(shows_all(camera, viewport, corners(0.999F)));
+    CHECK_FALSE(shows_all(camera, viewport, corners(1.001F)));
+
+    WholeView seen;
+    CHECK_FALSE(outgrows(seen, camera, viewport, corners(0.5F)));
+    CHECK(outgrows(seen, camera, viewport, corners(1.5F)));
+    CHECK_FALSE(outgrows(seen, camera, viewport, corners(2)));  // it stuck out before
+    CHECK_FALSE(outgrows(seen, camera, viewport, corners(0.5F)));
+    camera.distance *= 0.9;  // moved: the shape that sticks out now is not another one
+    CHECK_FALSE(outgrows(seen, camera, viewport, corners(0.95F)));
+  }
+}
+
 TEST_CASE("blending ends exactly at its ends and turns the shorter way") {
   Camera from;
   from.yaw = 3.0;

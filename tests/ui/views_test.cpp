@@ -3,8 +3,14 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
 
 #include "tests/ui/test_window.h"
+#include "ui/command.h"
+#include "ui/project_actions.h"
 
 using namespace archetype;
 using test::TestWindow;
@@ -90,6 +96,79 @@ TEST_CASE("The tool bar of a small window has all tools, and the switches of wha
       return target.name == std::string("command:") + command;
     }));
   }
+}
+
+TEST_CASE("In narrow side panels nothing lies over another, and the search has room for a word") {
+  TestWindow window(1280, 720);
+  window.open_chairs(1);
+  window.make_template();
+  window.studio().settings.left_width = 150;
+  window.studio().settings.right_width = 200;
+  window.settle();
+  const auto place_of = [&](const std::string& name) {
+    const auto at = std::ranges::find(window.studio().targets, name, &Target::name);
+    REQUIRE_MESSAGE(at != window.studio().targets.end(), name);
+    return *at;
+  };
+  CHECK(place_of("grid:filter").high_x - place_of("grid:filter").low_x > 90);
+  CHECK(place_of("grid:filter").high_x <= 150);
+  CHECK(place_of("grid:order").high_x <= 150);
+  std::vector<Target> yaws;
+  for (const char* yaw : {"0", "90", "180", "270"}) yaws.push_back(place_of(std::string("fit:yaw:") + yaw));
+  for (std::size_t i = 0; i < yaws.size(); ++i) {
+    CHECK(yaws[i].high_x <= 1280);
+    for (std::size_t k = i + 1; k < yaws.size(); ++k)
+      CHECK((yaws[i].high_x <= yaws[k].low_x || yaws[i].high_y <= yaws[k].low_y ||
+             yaws[k].high_x <= yaws[i].low_x));
+  }
+}
+
+TEST_CASE(
+    "A shape that is larger than the one before is brought into the picture, unless a detail is looked at") {
+  TestWindow window(1280, 720);
+  Studio& studio = window.studio();
+  const auto folder = window.scratch().path() / "two";
+  std::filesystem::create_directories(folder);
+  const auto write_block = [&](const char* name, double width, double height) {
+    std::ofstream file(folder / name);
+    for (int i = 0; i < 8; ++i)
+      file << "v " << ((i & 1) != 0 ? width : -width) << ' ' << ((i & 2) != 0 ? height : 0) << ' '
+           << ((i & 4) != 0 ? width : -width) << '\n';
+    file << "f 1 2 4 3\nf 5 6 8 7\nf 1 2 6 5\nf 3 4 8 7\nf 1 3 7 5\nf 2 4 8 6\n";
+  };
+  write_block("low.obj", 1, 0.3);
+  write_block("tall.obj", 0.1, 3);
+  open_folder(studio, folder);
+  window.settle();
+  const auto open = [&](const std::string& name) {
+    REQUIRE(run_command(studio, "open-shape", Arguments(&name, 1)));
+    window.settle();
+  };
+  const auto whole = [&] {
+    const auto extent = shape_extent(studio.viewport.display, studio.shape.fit.get());
+    REQUIRE(extent);
+    const auto at = std::ranges::find(studio.targets, "viewport", &Target::name);
+    REQUIRE(at != studio.targets.end());
+    const std::vector<glm::vec3> corners{glm::vec3(extent->first), glm::vec3(extent->second)};
+    return shows_all(studio.viewport.pane().camera,
+                     {static_cast<int>(at->high_x - at->low_x), static_cast<int>(at->high_y - at->low_y)},
+                     corners);
+  };
+  open("low");
+  REQUIRE(run_command(studio, "frame"));
+  window.settle();
+  const double close = studio.viewport.pane().camera.distance;
+  open("tall");
+  CHECK(whole());
+  CHECK(studio.viewport.pane().camera.distance > 1.3 * close);
+  open("low");  // there is room for it: nothing moves
+  CHECK(studio.viewport.pane().camera.distance > 1.3 * close);
+
+  studio.viewport.pane().camera.distance = 0.2 * close;  // a detail
+  window.settle();
+  open("tall");
+  CHECK(studio.viewport.pane().camera.distance == 0.2 * close);
+  CHECK_FALSE(whole());
 }
 
 TEST_CASE("All that shows what a template does fits into a small window, dark and light, at both scales") {
