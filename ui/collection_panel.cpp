@@ -50,11 +50,13 @@ void draw_head(Studio& studio) {
     count += ", " + count_text(studio.collection.content.refused.size()) + " refused";
   muted_text(studio, count);
   const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const float order_width = 96 * studio.fonts.scale;
+  const float room = ImGui::GetContentRegionAvail().x;
   const float filter_width = ImGui::GetFrameHeight();
-  const float search_room = ImGui::GetContentRegionAvail().x - order_width - filter_width - 2 * gap;
+  float order_width = 96 * studio.fonts.scale;
+  const float search_room = room - order_width - filter_width - 2 * gap;
   // A narrow panel has a line for the search alone.
   const bool own_line = search_room < 90 * studio.fonts.scale;
+  if (own_line) order_width = room - filter_width - gap;
   ImGui::SetNextItemWidth(own_line ? -1 : search_room);
   ImGui::InputTextWithHint("##filter", (std::string(icon::search) + "  Search").c_str(), &shown.filter.name);
   mark_target(studio, "grid:filter");

@@ -67,9 +67,33 @@ void draw_template_menu(Studio& studio, const Document& document) {
   ImGui::EndPopup();
 }
 
+void draw_part_buttons(Studio& studio) {
+  const std::pair<const char*, std::string> buttons[] = {
+      {"add-part", std::string(icon::plus) + " Add"},
+      {"duplicate-part", "Duplicate"},
+      {"mirror-part", std::string(icon::mirror) + " Mirror"},
+      {"draw-box", std::string(icon::draw) + " Draw"},
+      {"box-of-piece", std::string(icon::cube) + " Piece"},
+      {"box-of-segment", std::string(icon::cubes) + " Segment"},
+      {"split-part", std::string(icon::split) + " Split"},
+      {"merge-parts", std::string(icon::merge) + " Merge"},
+      {"delete-part", std::string(icon::trash) + " Delete"}};
+  const int columns = share_of_width(3) < 70 * studio.fonts.scale ? 2 : 3;
+  const float width = share_of_width(columns);
+  int column = 0;
+  for (const auto& [command, label] : buttons) {
+    if (column > 0) ImGui::SameLine();
+    command_button(studio, command, label, {width, 0});
+    column = (column + 1) % columns;
+  }
+}
+
 void draw_templates(Studio& studio, const Document& document) {
   const float buttons = 5 * (ImGui::GetFrameHeight() * 1.15f + ImGui::GetStyle().ItemSpacing.x);
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - buttons);
+  const float name_room = ImGui::GetContentRegionAvail().x - buttons;
+  // A narrow panel has a line for the name alone.
+  const bool own_line = name_room < 90 * studio.fonts.scale;
+  ImGui::SetNextItemWidth(own_line ? -1 : name_room);
   if (ImGui::BeginCombo("##template", document.active_template()->name.c_str())) {
     for (std::size_t i = 0; i < document.templates.size(); ++i) {
       ImGui::PushID(static_cast<int>(i));
@@ -84,7 +108,7 @@ void draw_templates(Studio& studio, const Document& document) {
   }
   mark_target(studio, "template:choose");
   const ImVec2 size(ImGui::GetFrameHeight() * 1.15f, 0);
-  ImGui::SameLine();
+  if (!own_line) ImGui::SameLine();
   command_button(studio, "new-template", icon::plus, size);
   ImGui::SameLine();
   command_button(studio, "load-template", icon::folder_open, size);
@@ -93,7 +117,7 @@ void draw_templates(Studio& studio, const Document& document) {
   ImGui::SameLine();
   command_button(studio, "delete-template", icon::trash, size);
   ImGui::SameLine();
-  if (ImGui::Button(icon::more, size)) ImGui::OpenPopup("template menu");
+  if (sized_button(icon::more, size)) ImGui::OpenPopup("template menu");
   mark_target(studio, "template:more");
   tooltip("Rename, duplicate, reorder, compare");
   draw_template_menu(studio, document);
@@ -151,22 +175,7 @@ void draw_template_panel(Studio& studio) {
   if (active->parts.empty())
     muted_paragraph(studio, "No parts yet: add a box, then move and size it over the shape.");
   for (std::size_t i = 0; i < active->parts.size(); ++i) draw_part_row(studio, *active, i);
-  const float width = share_of_width(3);
-  command_button(studio, "add-part", std::string(icon::plus) + " Add", {width, 0});
-  ImGui::SameLine();
-  command_button(studio, "duplicate-part", "Duplicate", {width, 0});
-  ImGui::SameLine();
-  command_button(studio, "mirror-part", std::string(icon::mirror) + " Mirror", {width, 0});
-  command_button(studio, "draw-box", std::string(icon::draw) + " Draw", {width, 0});
-  ImGui::SameLine();
-  command_button(studio, "box-of-piece", std::string(icon::cube) + " Piece", {width, 0});
-  ImGui::SameLine();
-  command_button(studio, "box-of-segment", std::string(icon::cubes) + " Segment", {width, 0});
-  command_button(studio, "split-part", std::string(icon::split) + " Split", {width, 0});
-  ImGui::SameLine();
-  command_button(studio, "merge-parts", std::string(icon::merge) + " Merge", {width, 0});
-  ImGui::SameLine();
-  command_button(studio, "delete-part", std::string(icon::trash) + " Delete", {width, 0});
+  draw_part_buttons(studio);
 }
 
 }  // namespace archetype

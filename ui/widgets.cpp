@@ -1,5 +1,6 @@
 #include "ui/widgets.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/studio.h"
@@ -22,13 +23,23 @@ void mark_target(Studio& studio, std::string name) {
   studio.targets.push_back({std::move(name), low.x, low.y, high.x, high.y});
 }
 
+bool sized_button(const char* label, ImVec2 size) {
+  const ImVec2 padding = ImGui::GetStyle().FramePadding;
+  const float room = std::max(0.0F, (size.x - ImGui::CalcTextSize(label, nullptr, true).x) / 2);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      {size.x > 0 ? std::min(padding.x, std::floor(room)) : padding.x, padding.y});
+  const bool pressed = ImGui::Button(label, size);
+  ImGui::PopStyleVar();
+  return pressed;
+}
+
 bool command_button(Studio& studio, std::string_view name, const std::string& label, ImVec2 size) {
   const Command* command = find_command(studio, name);
   if (!command) return false;
   const std::string reason = why_not(studio, *command);
   ImGui::PushID(command->name.data(), command->name.data() + command->name.size());
   ImGui::BeginDisabled(!reason.empty());
-  const bool pressed = ImGui::Button(label.c_str(), size);
+  const bool pressed = sized_button(label.c_str(), size);
   ImGui::EndDisabled();
   mark_target(studio, "command:" + std::string(name));
   tooltip(hint(studio, *command, reason).c_str());

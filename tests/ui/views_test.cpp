@@ -112,7 +112,10 @@ TEST_CASE("In narrow side panels nothing lies over another, and the search has r
   };
   CHECK(place_of("grid:filter").high_x - place_of("grid:filter").low_x > 90);
   CHECK(place_of("grid:filter").high_x <= 150);
-  CHECK(place_of("grid:order").high_x <= 150);
+  for (const char* target : {"grid:order", "command:show-filter"}) CHECK(place_of(target).high_x <= 150);
+  for (const char* target :
+       {"template:choose", "template:more", "command:mirror-part", "command:delete-part"})
+    CHECK(place_of(target).high_x <= 1280);
   std::vector<Target> yaws;
   for (const char* yaw : {"0", "90", "180", "270"}) yaws.push_back(place_of(std::string("fit:yaw:") + yaw));
   for (std::size_t i = 0; i < yaws.size(); ++i) {
