@@ -127,12 +127,11 @@ void follow_flight(Studio& studio, const ViewportContent& content, const PlacedP
   if (pane.flight && !advance_flight(*pane.flight, pane.camera)) pane.flight.reset();
   if (pane.flight || studio.viewport.action != MouseAction::none) return;
   const auto extent = shape_extent(content.display, content.fit);
-  if (!extent) return;
-  const auto& [low, high] = *extent;
-  std::array<glm::vec3, 8> corners;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    corners[i] = {(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
-                  (i & 4) != 0 ? high.z : low.z};
+  std::vector<glm::vec3> corners;  // of nothing at first, which the first shape outgrows
+  for (int i = 0; extent && i < 8; ++i)
+    corners.emplace_back((i & 1) != 0 ? extent->second.x : extent->first.x,
+                         (i & 2) != 0 ? extent->second.y : extent->first.y,
+                         (i & 4) != 0 ? extent->second.z : extent->first.z);
   if (outgrows(pane.seen, pane.camera, placed.viewport(), corners)) frame_content(pane, placed, unselected());
 }
 
