@@ -1,7 +1,9 @@
 #include "ui/surface_regions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <span>
 
 #include "core/geometry/box_points.h"
 #include "core/geometry/face_adjacency.h"
@@ -13,6 +15,7 @@ namespace {
 
 constexpr std::size_t enough_samples = 24;  // for the axes of a region to mean something
 constexpr double alike_extents = 1.25;
+constexpr double nearly_as_small = 1.15;  // times the volume
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 // Where two extents are about the same, as of a square leg or back, the points do not say how the box turns
@@ -27,11 +30,55 @@ Eigen::Quaterniond without_twist(const Box& box) {
   return box.orientation;
 }
 
+// How far apart even samples lie.
+double spacing_of(const ShapeSamples& samples) {
+  return samples.radius / std::sqrt(static_cast<double>(samples.size()));
+}
+
+// A back that leans is turned about one axis of the shape. The axes of its points are turned a little about
+// the others, too, where it is no rectangle: the simpler turn is taken where its box is nearly as small.
+Eigen::Quaterniond about_one_axis(const Eigen::Quaterniond& own, std::span<const Vec3> points,
+                                  double thickness) {
+  const auto volume = [&](const Eigen::Quaterniond& orientation) {
+    return (box_around(points, orientation).half_extent.array() + thickness).prod();
+  };
+  Eigen::Quaterniond best = own;
+  double least = nearly_as_small * volume(own);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double along = own.vec()[axis];
+    const double length = std::hypot(own.w(), along);
+    if (length < 1e-6) continue;
+    Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+    turn.w() = own.w() / length;
+    turn.vec()[axis] = along / length;
+    if (const double v = volume(turn); v < least) least = v, best = turn;
+  }
+  return best;
+}
+
 // The axes that the samples of a region suggest; those of the shape where they are few.
 Eigen::Quaterniond axes_of(const std::vector<Vec3>& points, const ShapeSamples& samples) {
   if (points.size() < enough_samples) return Eigen::Quaterniond::Identity();
-  const double spacing = samples.radius / std::sqrt(static_cast<double>(samples.size()));
-  return without_twist(fit_region_box(points, 0.1 * samples.radius, spacing).box);
+  const double spacing = spacing_of(samples);
+  return about_one_axis(without_twist(fit_region_box(points, 0.1 * samples.radius, spacing).box), points,
+                        spacing);
+}
+
+SurfaceRegions of_segments(Segmentation segments, const ShapeSamples& samples) {
+  std::vector<std::vector<Vec3>> points(segments.boxes.size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (segments.labels[i] >= 0)
+      points[static_cast<std::size_t>(segments.labels[i])].push_back(samples.points[i]);
+  for (std::size_t s = 0; s < points.size(); ++s) {
+    if (points[s].empty()) continue;
+    const Eigen::Quaterniond own = segments.boxes[s].orientation;
+    const Eigen::Quaterniond turned = about_one_axis(own, points[s], spacing_of(samples));
+    if (turned.angularDistance(own) > 1e-9) segments.boxes[s] = box_around(points[s], turned);
+  }
+  SurfaceRegions found;
+  found.of_sample = std::move(segments.labels);
+  found.boxes = std::move(segments.boxes);
+  return found;
 }
 
 SurfaceRegions components(const RegionRequest& request, const JobControl& control) {
@@ -76,8 +123,7 @@ std::optional<SurfaceRegions> find_surface_regions(const RegionRequest& request,
   if (request.kind == RegionKind::segment) {
     std::optional<Segmentation> segments = segment_shape(*request.samples, {}, control);
     if (!segments) return std::nullopt;
-    found.of_sample = std::move(segments->labels);
-    found.boxes = std::move(segments->boxes);
+    found = of_segments(std::move(*segments), *request.samples);
   } else {
     found = components(request, control);
   }

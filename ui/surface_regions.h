@@ -30,8 +30,8 @@ struct SurfaceRegions {
 };
 
 // Components have the box of all their corners, along the axes of the shape or, where that is clearly better,
-// along their own; components without a sample are left out. 0.2 s for a segmentation. Nothing when
-// cancelled.
+// along their own, of which those that are turned about one axis of the shape alone are preferred; components
+// without a sample are left out. 0.2 s for a segmentation. Nothing when cancelled.
 std::optional<SurfaceRegions> find_surface_regions(const RegionRequest& request, const JobControl& control);
 
 using RegionWorker = LatestWorker<RegionRequest, SurfaceRegions>;

@@ -193,6 +193,24 @@ TEST_CASE("Pieces and segments of the surface get a box by a click on them") {
   }
 }
 
+TEST_CASE("The box of a leaning back is turned about one axis, though its outline is no rectangle") {
+  const Eigen::Quaterniond leaning(Eigen::AngleAxisd(-0.3, Vec3::UnitX()));
+  auto samples = std::make_shared<ShapeSamples>();
+  samples->radius = 1;
+  for (int i = -20; i <= 20; ++i)
+    for (int k = -26; k <= 26; ++k)
+      if (i + k < 30)  // a corner is cut off: the longest way is across
+        for (const double z : {-0.05, 0.05}) samples->points.push_back(leaning * Vec3(0.05 * i, 0.05 * k, z));
+  const auto found = find_surface_regions({RegionKind::component, nullptr, samples, 1}, {});
+  REQUIRE(found);
+  REQUIRE(found->boxes.size() == 1);
+  const Box& box = found->boxes[0];
+  CHECK(std::abs(box.orientation.y()) < 1e-9);
+  CHECK(std::abs(box.orientation.z()) < 1e-9);
+  CHECK(box.orientation.angularDistance(leaning) < 0.02);
+  CHECK(holds(box, samples->points));
+}
+
 TEST_CASE("A tool that is laid down before its regions are there leaves nothing under way") {
   Chair chair;
   take_point_tool(chair.studio(), PointTool::segment);
