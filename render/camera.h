@@ -56,8 +56,8 @@ struct WholeView {
   bool whole = false;  // everything was in the picture
 };
 // Remembers whether the points are in the picture, and says whether some stick out now of what held all there
-// was before, by the same camera: another, larger shape has taken its place. A camera that shows a detail,
-// and one that was moved, is left where it is.
+// was before, by the same camera: another, larger shape has taken its place, or the picture has become
+// narrower. A camera that shows a detail, and one that was moved, is left where it is.
 bool outgrows(WholeView& before, const Camera& camera, const Viewport& viewport,
               std::span<const glm::vec3> points);
 

@@ -227,18 +227,20 @@ void frame_shapes(Studio& studio, const PlacedSide& placed) {
                                  ViewPreset::three_quarter};
     look_from(inspection.camera, presets[static_cast<std::size_t>(*view)]);
   }
-  // Until all is there that will be shown it is framed anew.
   const bool again = !inspection.framed || wanted || view == CameraView::home;
-  inspection.framed = true;
+  bool complete = true;
   std::vector<glm::vec3> points;
   for (std::size_t side = 0; side < (studio.ui.inspect.beside ? 2 : 1); ++side) {
     const std::shared_ptr<const InspectedShape>& shape = inspection.side(side).shape;
-    inspection.framed = inspection.framed && shape && (!shape->fit || content_of(studio, side).look);
+    complete = complete && shape && (!shape->fit || content_of(studio, side).look);
     if (!shape) continue;
     const std::vector<glm::vec3> more = inspected_points(content_of(studio, side));
     points.insert(points.end(), more.begin(), more.end());
   }
-  if (points.empty() || (inspection.mouse.action != MouseAction::none && !again)) return;
+  // Until all is there that will be shown it is framed anew.
+  if (again) inspection.framed = complete;
+  const bool held = inspection.mouse.action != MouseAction::none || inspection.stroking;
+  if (points.empty() || (!again && (!complete || held))) return;
   if (again || outgrows(inspection.seen, inspection.camera, placed.viewport(), points))
     frame_points(inspection.camera, placed.viewport(), points);
 }

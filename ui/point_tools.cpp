@@ -41,11 +41,6 @@ std::vector<glm::dvec2> rectangle(const glm::dvec2& a, const glm::dvec2& b) {
   return {a, {b.x, a.y}, b, {a.x, b.y}};
 }
 
-double spacing_of(const Studio& studio) {
-  const ShapeSamples& samples = *studio.shape.samples;
-  return samples.radius / std::sqrt(static_cast<double>(samples.size()));
-}
-
 // The sample under the cursor: of those near it the one in front.
 std::optional<std::size_t> sample_at(const std::vector<Vec3>& points, const GizmoView& view,
                                      const glm::dvec2& cursor) {
@@ -105,7 +100,7 @@ void draw_box(Studio& studio, const std::vector<glm::dvec2>& outline, const Gizm
   const std::vector<Vec3> points = points_in_view(studio);
   const std::vector<std::uint32_t> in = points_inside(points, outline, view);
   if (in.empty()) return add_box(studio, box_in_air(outline, view));
-  const std::vector<Vec3> front = front_points(points, in, view, 3 * spacing_of(studio));
+  const std::vector<Vec3> front = front_points(points, in, view, 3 * spacing_of(*studio.shape.samples));
   add_box(studio, box_around(front, Eigen::Quaterniond::Identity()));
 }
 

@@ -30,11 +30,6 @@ Eigen::Quaterniond without_twist(const Box& box) {
   return box.orientation;
 }
 
-// How far apart even samples lie.
-double spacing_of(const ShapeSamples& samples) {
-  return samples.radius / std::sqrt(static_cast<double>(samples.size()));
-}
-
 // A back that leans is turned about one axis of the shape. The axes of its points are turned a little about
 // the others, too, where it is no rectangle: the simpler turn is taken where its box is nearly as small.
 Eigen::Quaterniond about_one_axis(const Eigen::Quaterniond& own, std::span<const Vec3> points,
@@ -117,6 +112,10 @@ SurfaceRegions components(const RegionRequest& request, const JobControl& contro
 }
 
 }  // namespace
+
+double spacing_of(const ShapeSamples& samples) {
+  return samples.radius / std::sqrt(static_cast<double>(samples.size()));
+}
 
 std::optional<SurfaceRegions> find_surface_regions(const RegionRequest& request, const JobControl& control) {
   SurfaceRegions found;

@@ -29,9 +29,12 @@ struct SurfaceRegions {
   std::vector<Box> boxes;               // per region, in the frame of the shape
 };
 
+// How far apart even samples lie, about.
+double spacing_of(const ShapeSamples& samples);
+
 // Components have the box of all their corners, along the axes of the shape or, where that is clearly better,
-// along their own, of which those that are turned about one axis of the shape alone are preferred; components
-// without a sample are left out. 0.2 s for a segmentation. Nothing when cancelled.
+// along their own; components without a sample are left out. Axes that are turned about one axis of the shape
+// alone are preferred, for segments too. 0.2 s for a segmentation. Nothing when cancelled.
 std::optional<SurfaceRegions> find_surface_regions(const RegionRequest& request, const JobControl& control);
 
 using RegionWorker = LatestWorker<RegionRequest, SurfaceRegions>;

@@ -21,6 +21,18 @@ Camera aim_of(const ViewPane& pane) {
   return pane.flight ? pane.flight->to : pane.camera;
 }
 
+// Something is moved or drawn over the picture: it stays where it is.
+bool held(const Studio& studio) {
+  return studio.viewport.action != MouseAction::none || studio.ui.transform ||
+         !studio.ui.points.outline.empty();
+}
+
+// The shape in view is not drawn yet, or its first fit, which may turn it, is still to come.
+bool to_change(const Studio& studio, const ViewportContent& content) {
+  if (studio.viewport.display.shape_revision != studio.shape.shape_revision) return true;
+  return !content.fit && content.part_template && !content.part_template->parts.empty();
+}
+
 void fly(ViewPane& pane, const Camera& to) {
   pane.flight = CameraFlight{pane.camera, to, Clock::now()};
 }
@@ -124,15 +136,28 @@ void follow_flight(Studio& studio, const ViewportContent& content, const PlacedP
       pane.framed = true;
     }
   }
-  if (pane.flight && !advance_flight(*pane.flight, pane.camera)) pane.flight.reset();
-  if (pane.flight || studio.viewport.action != MouseAction::none) return;
+  if (pane.flight && !advance_flight(*pane.flight, pane.camera)) {
+    if (pane.flight->follows) pane.seen = {pane.camera, true};
+    pane.flight.reset();
+  }
+  if (held(studio) || to_change(studio, content)) return;
   const auto extent = shape_extent(content.display, content.fit);
-  std::vector<glm::vec3> corners;  // of nothing at first, which the first shape outgrows
-  for (int i = 0; extent && i < 8; ++i)
-    corners.emplace_back((i & 1) != 0 ? extent->second.x : extent->first.x,
-                         (i & 2) != 0 ? extent->second.y : extent->first.y,
-                         (i & 4) != 0 ? extent->second.z : extent->first.z);
-  if (outgrows(pane.seen, pane.camera, placed.viewport(), corners)) frame_content(pane, placed, unselected());
+  if (!extent) {
+    if (!studio.shape.record) pane.seen = {pane.camera, true};  // the first shape outgrows that
+    return;
+  }
+  std::array<glm::vec3, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    corners[i] = {(i & 1) != 0 ? extent->second.x : extent->first.x,
+                  (i & 2) != 0 ? extent->second.y : extent->first.y,
+                  (i & 4) != 0 ? extent->second.z : extent->first.z};
+  // The next shape may be there while the camera still flies to the one before.
+  const bool outgrown = pane.flight
+                            ? pane.flight->follows && !shows_all(pane.flight->to, placed.viewport(), corners)
+                            : outgrows(pane.seen, pane.camera, placed.viewport(), corners);
+  if (!outgrown) return;
+  frame_content(pane, placed, unselected());
+  if (pane.flight) pane.flight->follows = true;
 }
 
 ScreenRect pane_title_place(const Studio& studio, const PlacedPane& placed) {

@@ -23,6 +23,7 @@ struct CameraFlight {
   Camera from;
   Camera to;
   std::chrono::steady_clock::time_point start;
+  bool follows = false;  // a shape that outgrew the picture
 };
 
 // Moves the camera on; false once it has arrived. Its projection stays.

@@ -15,9 +15,9 @@ struct Studio;
 // Records the item drawn last under a name, so that tests and scripts can find it and really click it.
 void mark_target(Studio& studio, std::string name);
 
-// A button for a command: greyed out with the reason as a tooltip where it cannot be used; else its title and
 // ImGui::Button(), whose label stays in the middle also where there is no room for the padding.
 bool sized_button(const char* label, ImVec2 size);
+// A button for a command: greyed out with the reason as a tooltip where it cannot be used; else its title and
 // key. `label` may hold an icon. Marked as "command:NAME".
 bool command_button(Studio& studio, std::string_view name, const std::string& label, ImVec2 size = {0, 0});
 // The same, drawn pressed while the command's switch is on.

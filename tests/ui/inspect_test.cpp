@@ -114,6 +114,22 @@ TEST_CASE("A shape that boxes were drawn on stands right again after its yaw was
   CHECK(studio.shape.fit->fit.yaw_quarters == before);
 }
 
+TEST_CASE("A close look at one fit stays close when another shape comes into view") {
+  TestWindow window;
+  open_fitted(window, 2);
+  Camera& camera = window.studio().inspection.camera;
+  const ShapeId first = *window.studio().ui.shape;
+  const Camera whole = camera;
+  camera.distance *= 0.3;
+  const Camera close = camera;
+  window.settle();
+  CHECK(run(window, "next-shape"));
+  REQUIRE(window.studio().ui.shape != first);
+  CHECK(camera == close);
+  CHECK(run(window, "frame"));
+  CHECK(camera.distance > 0.6 * whole.distance);
+}
+
 TEST_CASE("The alternations are gone through step by step") {
   TestWindow window;
   open_fitted(window, 1);

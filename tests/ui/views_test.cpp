@@ -152,7 +152,11 @@ TEST_CASE(
     REQUIRE(extent);
     const auto at = std::ranges::find(studio.targets, "viewport", &Target::name);
     REQUIRE(at != studio.targets.end());
-    const std::vector<glm::vec3> corners{glm::vec3(extent->first), glm::vec3(extent->second)};
+    std::vector<glm::vec3> corners;
+    for (int i = 0; i < 8; ++i)
+      corners.emplace_back((i & 1) != 0 ? extent->second.x : extent->first.x,
+                           (i & 2) != 0 ? extent->second.y : extent->first.y,
+                           (i & 4) != 0 ? extent->second.z : extent->first.z);
     return shows_all(studio.viewport.pane().camera,
                      {static_cast<int>(at->high_x - at->low_x), static_cast<int>(at->high_y - at->low_y)},
                      corners);
