@@ -33,9 +33,10 @@ Eigen::Quaterniond without_twist(const Box& box) {
 // A back that leans is turned about one axis of the shape. The axes of its points are turned a little about
 // the others, too, where it is no rectangle: the simpler turn is taken where its box is nearly as small.
 Eigen::Quaterniond about_one_axis(const Eigen::Quaterniond& own, std::span<const Vec3> points,
-                                  double thickness) {
+                                  double spacing) {
+  // A flat region has a volume, too, but what is as thin as a leg is not made thicker by what counts as none.
   const auto volume = [&](const Eigen::Quaterniond& orientation) {
-    return (box_around(points, orientation).half_extent.array() + thickness).prod();
+    return (box_around(points, orientation).half_extent.array() + 0.05 * spacing).prod();
   };
   Eigen::Quaterniond best = own;
   double least = nearly_as_small * volume(own);

@@ -211,6 +211,24 @@ TEST_CASE("The box of a leaning back is turned about one axis, though its outlin
   CHECK(holds(box, samples->points));
 }
 
+TEST_CASE("The box of a leg that is splayed both ways stays as thin as the leg") {
+  const Eigen::Quaterniond splayed =
+      Eigen::AngleAxisd(0.15, Vec3::UnitX()) * Eigen::AngleAxisd(0.15, Vec3::UnitZ());
+  auto samples = std::make_shared<ShapeSamples>();
+  samples->radius = 1;
+  for (int i = 0; i <= 100; ++i)
+    for (int corner = 0; corner < 4; ++corner)
+      samples->points.push_back(splayed * Vec3((corner & 1) != 0 ? 0.05 : -0.05, 0.015 * i - 0.75,
+                                               (corner & 2) != 0 ? 0.05 : -0.05));
+  const auto found = find_surface_regions({RegionKind::component, nullptr, samples, 1}, {});
+  REQUIRE(found);
+  REQUIRE(found->boxes.size() == 1);
+  const Vec3 half = found->boxes[0].half_extent;
+  CHECK(half.y() == doctest::Approx(0.75).epsilon(0.02));
+  CHECK(half.x() < 0.075);  // twisted about itself: 0.071
+  CHECK(half.z() < 0.075);
+}
+
 TEST_CASE("A tool that is laid down before its regions are there leaves nothing under way") {
   Chair chair;
   take_point_tool(chair.studio(), PointTool::segment);
