@@ -134,6 +134,7 @@ void follow_flight(Studio& studio, const ViewportContent& content, const PlacedP
     if (const auto extent = extent_to_frame(unselected())) {
       frame(pane.camera, placed.viewport(), extent->first, extent->second);
       pane.framed = true;
+      pane.seen = {pane.camera, true};  // the boxes alone, maybe: the first shape may outgrow them
     }
   }
   if (pane.flight && !advance_flight(*pane.flight, pane.camera)) {
@@ -143,7 +144,7 @@ void follow_flight(Studio& studio, const ViewportContent& content, const PlacedP
   if (held(studio) || to_change(studio, content)) return;
   const auto extent = shape_extent(content.display, content.fit);
   if (!extent) {
-    if (!studio.shape.record) pane.seen = {pane.camera, true};  // the first shape outgrows that
+    if (!studio.shape.record) pane.seen = {pane.camera, true};
     return;
   }
   std::array<glm::vec3, 8> corners;

@@ -178,6 +178,29 @@ TEST_CASE(
   CHECK_FALSE(whole());
 }
 
+TEST_CASE(
+    "The first shape is brought into the picture, though the boxes of a template were there before it") {
+  TestWindow window(1280, 720);
+  Studio& studio = window.studio();
+  PartTemplate small;
+  small.name = "small";
+  TemplatePart part;
+  part.name = "middle";
+  part.scale.mean = Vec3(0.2, 0.2, 0.2);
+  small.parts.push_back(part);
+  add_template(studio.history, small, "Make a small one");
+  window.settle();
+  window.open_chairs(1);
+  const auto extent = shape_extent(studio.viewport.display, studio.shape.fit.get());
+  REQUIRE(extent);
+  const auto at = std::ranges::find(studio.targets, "viewport", &Target::name);
+  REQUIRE(at != studio.targets.end());
+  const std::vector<glm::vec3> corners{glm::vec3(extent->first), glm::vec3(extent->second)};
+  CHECK(shows_all(studio.viewport.pane().camera,
+                  {static_cast<int>(at->high_x - at->low_x), static_cast<int>(at->high_y - at->low_y)},
+                  corners));
+}
+
 TEST_CASE("All that shows what a template does fits into a small window, dark and light, at both scales") {
   for (const float scale : {1.0F, 2.0F}) {
     TestWindow window(static_cast<int>(1280 * scale), static_cast<int>(720 * scale), scale);
