@@ -45,9 +45,12 @@ void Progress::report(std::size_t done, std::size_t total, std::string_view what
     what_ = what;
     begun_ = now;
     next_ = now + (terminal_ ? 0s : 2s);  // a log needs no line about what takes no time
-    written_ = false;
+    written_ = ended_ = false;
   }
-  if (now < next_ && !(written_ && done == total)) return;
+  // Where there was more to do than was thought, all is done again and again.
+  const bool ends = written_ && !ended_ && done == total;
+  if (now < next_ && !ends) return;
+  ended_ |= done == total;
   next_ = now + (terminal_ ? Clock::duration(100ms) : Clock::duration(5s));
   written_ = true;
   std::string line = what_ + " " + std::to_string(done) + " of " + std::to_string(total);

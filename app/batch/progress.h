@@ -31,6 +31,7 @@ class Progress {
   Clock::time_point begun_;  // of `what_`
   Clock::time_point next_;   // when to write again
   bool written_ = false;     // anything about `what`
+  bool ended_ = false;       // that all of it is done
 };
 
 }  // namespace archetype

@@ -1,6 +1,5 @@
 // A folder is opened, shown, fitted and saved elsewhere, by clicks where there are any.
 #include <doctest/doctest.h>
-#include <epoxy/gl.h>
 
 #include <chrono>
 #include <fstream>
@@ -247,15 +246,6 @@ TEST_CASE("A broken shape is listed and the others come in") {
   CHECK(told);
 }
 
-// Of a picture of the grid. Names of textures tell nothing: a deleted one's may be given to the next.
-static std::vector<std::uint8_t> pixels_of(std::uint32_t texture) {
-  std::vector<std::uint8_t> pixels(4 * thumbnail_size * thumbnail_size);
-  REQUIRE(texture != 0);
-  glBindTexture(GL_TEXTURE_2D, texture);
-  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-  return pixels;
-}
-
 TEST_CASE("A colour that a part is given by hand is seen in the pictures of the grid") {
   TestWindow window;
   window.open_chairs(1);
@@ -287,8 +277,8 @@ TEST_CASE("A colour that a part is given by hand is seen in the pictures of the 
   CHECK(Project::open(studio.collection.path).thumbnail(shape, std::string(parts_thumbnail)).value() == kept);
   coloured.colours = std::make_shared<const HandColours>(HandColours{{"table", {6, -1, -1}}});
   CHECK(made(coloured) == kept);
-  const std::vector<std::uint8_t> before = pixels_of(studio.thumbnails.use(wanted));
+  const std::vector<std::uint8_t> before = window.pixels_of(studio.thumbnails.use(wanted));
   set_part_colour(studio.history, {0}, 6);
   window.settle();
-  CHECK(pixels_of(studio.thumbnails.use(wanted)) != before);
+  CHECK(window.pixels_of(studio.thumbnails.use(wanted)) != before);
 }

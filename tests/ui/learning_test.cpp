@@ -217,6 +217,7 @@ TEST_CASE("What learning begins with is said before and when it starts") {
   CHECK(studio.messages.list().back().text == "Learning: begins with “chair” as it is in the editor");
   CHECK(studio.jobs.view().front().title == "Learn from chair");
   window.settle();
+  REQUIRE(studio.collection.content.learning);
   REQUIRE(studio.collection.content.learning->settled);
   // The templates are what was learned: it would begin where that began.
   CHECK(says("begins anew with “chair”, as it did before"));

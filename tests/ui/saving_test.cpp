@@ -245,7 +245,7 @@ TEST_CASE("A file that was changed is shown anew once it is imported again") {
   Studio& studio = window.studio();
   REQUIRE(studio.shape.mesh);
   const WantedThumbnail before = wanted_thumbnail(studio.collection.rows()[0]);
-  const std::uint32_t picture = studio.thumbnails.use(before);
+  const std::vector<std::uint8_t> picture = window.pixels_of(studio.thumbnails.use(before));
   std::ofstream(folder / "one.off") << "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   add_shapes(studio, {folder});
   window.settle();
@@ -254,7 +254,7 @@ TEST_CASE("A file that was changed is shown anew once it is imported again") {
   REQUIRE(studio.shape.mesh);
   CHECK(studio.shape.mesh->face_count() == 1);
   CHECK(wanted_thumbnail(studio.collection.rows()[0]) != before);
-  CHECK(studio.thumbnails.use(wanted_thumbnail(studio.collection.rows()[0])) != picture);
+  CHECK(window.pixels_of(studio.thumbnails.use(wanted_thumbnail(studio.collection.rows()[0]))) != picture);
 }
 
 TEST_CASE("A picture that was drawn of an older fit is not kept") {

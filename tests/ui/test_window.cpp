@@ -1,6 +1,7 @@
 #include "tests/ui/test_window.h"
 
 #include <doctest/doctest.h>
+#include <epoxy/gl.h>
 
 #include <chrono>
 #include <thread>
@@ -8,6 +9,7 @@
 #include "core/generate/generate.h"
 #include "core/session/actions.h"
 #include "ui/project_actions.h"
+#include "ui/thumbnail_worker.h"
 
 namespace archetype::test {
 namespace {
@@ -113,6 +115,14 @@ void TestWindow::field_key(ImGuiKey key) {
   frames();
   down = false;
   frames(2);
+}
+
+std::vector<std::uint8_t> TestWindow::pixels_of(std::uint32_t texture) {
+  std::vector<std::uint8_t> pixels(4 * thumbnail_size * thumbnail_size);
+  REQUIRE(texture != 0);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  return pixels;
 }
 
 void TestWindow::open_chairs(std::size_t count) {

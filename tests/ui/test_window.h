@@ -2,8 +2,10 @@
 // there, and Dear ImGui's own hit testing decides what was meant.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tests/support/scratch_folder.h"
 #include "ui/headless_window.h"
@@ -34,6 +36,9 @@ class TestWindow {
   void type(const std::string& text);  // into what has the keyboard
   void key(const std::string& chord);  // to the commands: "Ctrl+Z"
   void field_key(ImGuiKey key);        // to Dear ImGui: ImGuiKey_Enter
+
+  // Of a picture of the grid. Names of textures tell nothing: a deleted one's may be given to the next.
+  std::vector<std::uint8_t> pixels_of(std::uint32_t texture);
 
   // A collection of generated chairs, imported and in view.
   void open_chairs(std::size_t count);
