@@ -1,390 +1,230 @@
-// Proposals are judged one after the other, so that each is compared with what was kept before it.
+// Fits, votes on yaws, and new estimates; the divisions are in round_divisions.cpp.
 #include "core/learning/learning_round.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <mutex>
-#include <set>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/fitting/agreed_yaws.h"
 #include "core/fitting/pinned_labels.h"
-#include "core/learning/child_name.h"
-#include "core/learning/merge_templates.h"
 #include "core/learning/parameter_cost.h"
 #include "core/learning/reestimate.h"
-#include "core/learning/sightings.h"
+#include "core/learning/round_in_progress.h"
 
 namespace archetype {
 
-namespace {
-
-// A round that gains less than this is none.
-constexpr double smallest_gain = 1e-3;
-// That a division costs for each member, rather too many than too few: for the progress.
-constexpr std::size_t fits_of_division = 80;
-
-// What a shape says of the template that it takes.
-struct Taken {
-  std::size_t part_template = 0;
-  Sighting seen;
-};
-
-class Round {
- public:
-  Round(std::span<const LearnedTemplate> templates, std::span<const ShapeSamples> judging,
-        std::span<const ShapeSamples> others, const FitOptions& fit_options, const LearnOptions& options,
-        unsigned threads, const JobControl& control, std::span<const ShapeCorrection* const> corrections,
-        std::span<const int> known_yaws)
-      : judging_samples_(judging),
-        judging_(judging.size()),
-        fit_options_(fit_options),
-        options_(options),
-        threads_(threads),
-        control_(control) {
-    for (const ShapeSamples& each : judging) shapes_.push_back({&each});
-    for (const ShapeSamples& each : others) shapes_.push_back({&each});
-    for (std::size_t i = 0; i < corrections.size(); ++i) shapes_[i].correction = corrections[i];
-    result_.yaws.assign(known_yaws.begin(), known_yaws.end());
-    for (std::size_t i = 0; i < shapes_.size(); ++i) set_yaw_costs(i, fit_options.yaw_costs);
-    counted_.stop = control.stop;
-    counted_.report = [this](std::size_t, std::size_t, std::string_view) {
-      const std::lock_guard lock(reporting_);  // or a thread that was held up would report an old number
-      const std::size_t fitted = ++fitted_;
-      control_.progress(fitted, std::max(fitted, planned_.load()), "");
-    };
-    result_.templates.assign(templates.begin(), templates.end());
-    for (std::size_t t = 0; t < templates.size(); ++t) result_.origins.push_back({t, false});
-  }
-
-  std::optional<LearningRound> run() {
-    planned_ = result_.templates.size() * (2 * judging_ + shapes_.size()) + fits_of_division * shapes_.size();
-    if (!fit_all()) return std::nullopt;
-    result_.energy_before = mean_energy();
-    const std::size_t count = result_.templates.size();
-    for (std::size_t t = 0; t < count; ++t) {
-      plan((count - t) * judging_, 0);
-      if (!try_update(t)) return std::nullopt;
-    }
-    // A template that still moves would only spawn what it is about to become.
-    for (std::size_t t = 0; t < count; ++t) {
-      plan(0, t);
-      if (!result_.origins[t].changed && !try_split(t)) return std::nullopt;
-    }
-    if (!try_merges()) return std::nullopt;
-    drop_unused();
-    result_.energy = mean_energy();
-    for (std::size_t i = 0; i < judging_; ++i) result_.taken.push_back(taken_[i].part_template);
-    // A bench that a template of chairs reached from the side may have turned for one of its own.
-    if (result_.yaws.empty()) {
-      for (std::size_t i = 0; i < judging_; ++i) result_.yaws.push_back(taken_[i].seen.yaw_quarters);
-    }
-    return std::move(result_);
-  }
-
- private:
-  std::optional<int> known_yaw(std::size_t shape) const {
-    return shape < result_.yaws.size() ? std::optional(result_.yaws[shape]) : std::nullopt;
-  }
-  void set_yaw_costs(std::size_t shape, std::array<double, 4> costs) {
-    add_cost_of_turning(costs, known_yaw(shape));
-    if (const ShapeCorrection* correction = shapes_[shape].correction)
-      costs = pinned_yaw_costs(costs, *correction);
-    shapes_[shape].yaw_costs = costs;
-  }
-
-  // By template; empty where any may be taken.
-  std::vector<bool> allowed_of(std::size_t shape) const {
-    const ShapeCorrection* correction = shapes_[shape].correction;
-    if (!correction || correction->part_template.empty()) return {};
-    std::vector<std::string> names;
-    for (const LearnedTemplate& each : result_.templates) names.push_back(each.part_template.name);
-    return allowed_templates(*correction, names);
-  }
-  bool may_take(std::size_t shape, std::size_t t) const {
-    const std::vector<bool> allowed = allowed_of(shape);
-    return allowed.empty() || allowed[t];
-  }
-  bool is_pinned_to(std::size_t shape, std::size_t t) const {
-    const ShapeCorrection* correction = shapes_[shape].correction;
-    return correction && correction->part_template == result_.templates[t].part_template.name;
-  }
-  bool must_learn(std::size_t shape) const {
-    return shapes_[shape].correction && shapes_[shape].correction->mark == ShapeMark::learn;
-  }
-
-  // How many fits are ahead: so many, and those of the divisions that will be tried from template `first` on,
-  // as far as it can be told.
-  void plan(std::size_t fits, std::size_t first) {
-    for (std::size_t t = first; t < result_.templates.size(); ++t) {
-      std::size_t members = 0;
-      std::vector<std::size_t> judges;
-      for (std::size_t i = 0; i < taken_.size(); ++i) {
-        if (taken_[i].part_template != t || is_pinned_to(i, t)) continue;
-        ++members;
-        if (i < judging_) judges.push_back(i);
-      }
-      const bool divided = !result_.origins[t].changed && members >= 2 * options_.smallest_cluster &&
-                           !about_undivided(result_.templates[t].undivided, judges);
-      if (divided) fits += fits_of_division * members;
-    }
-    planned_ = fitted_ + fits;
-  }
-
-  // Once to agree on the yaws, and once with what they cost then. False if cancelled.
-  bool fit_all() {
-    if (!take_best(judging_)) return false;
-    std::vector<std::array<double, 4>> energies;
-    for (std::size_t i = 0; i < judging_; ++i) {
-      energies.push_back(taken_[i].seen.yaw_energies);
-      add_cost_of_turning(energies.back(), known_yaw(i));
-    }
-    const AgreedYaws agreed(judging_samples_, energies);
-    std::vector<std::array<double, 4>> votes(shapes_.size());
-    const auto ask = [&](std::size_t i) { votes[i] = agreed.costs(*shapes_[i].samples); };
-    if (!parallel_for(shapes_.size(), threads_, {control_.stop, {}}, "", ask)) return false;
-    for (std::size_t i = 0; i < shapes_.size(); ++i) set_yaw_costs(i, votes[i]);
-    return take_best(shapes_.size());
-  }
-
-  // The best of all templates for each of the first `count` shapes. False if cancelled. Throws NumericError
-  // where a shape has no finite energy with any.
-  bool take_best(std::size_t count) {
-    taken_.assign(count, {});
-    const auto shapes = std::span(shapes_).first(count);
-    for (std::size_t t = 0; t < result_.templates.size(); ++t) {
-      auto seen = sightings(result_.templates[t].part_template, shapes, fit_options_, threads_, counted_);
-      if (!seen) return false;
-      for (std::size_t i = 0; i < count; ++i) {
-        if ((*seen)[i].choice < taken_[i].seen.choice && may_take(i, t))
-          taken_[i] = {t, std::move((*seen)[i])};
-      }
-    }
-    for (const Taken& each : taken_)
-      if (!std::isfinite(each.seen.choice)) throw NumericError("a shape has a fit of no finite energy");
-    return true;
-  }
-
-  // Of the judging shapes, with what the parameters of the templates cost.
-  double mean_energy() const {
-    if (judging_ == 0) return 0;
-    double sum = 0;
-    std::vector<std::size_t> members(result_.templates.size(), 0);
-    for (std::size_t i = 0; i < judging_; ++i) {
-      sum += taken_[i].seen.choice;
-      ++members[taken_[i].part_template];
-    }
-    for (std::size_t t = 0; t < members.size(); ++t)
-      sum += parameter_cost(result_.templates[t].part_template, result_.templates[t].initial, members[t],
-                            fit_options_, options_);
-    return sum / static_cast<double>(judging_);
-  }
-
-  // The observations of the shapes that template `t` is learned from, the best fits first: those that fit
-  // well, and those that it was said to learn from.
-  std::vector<std::vector<PartObservation>> learning_set(std::size_t t) const {
-    std::vector<std::size_t> members;
-    for (std::size_t i = 0; i < taken_.size(); ++i) {
-      if (taken_[i].part_template == t) members.push_back(i);
-    }
-    const auto energy = [this](std::size_t i) { return taken_[i].seen.energy; };
-    std::ranges::stable_sort(members, {}, energy);
-    std::vector<std::vector<PartObservation>> observed;
-    const double share = std::ceil(options_.learning_share * static_cast<double>(members.size()));
-    double fit_well = 0;
-    for (const std::size_t i : members) {
-      const bool fits = fit_well < share && energy(i) <= options_.tau * energy(members.front());
-      if (!fits && !must_learn(i)) continue;
-      if (fits) fit_well += 1;
-      observed.push_back(taken_[i].seen.parts);
-    }
-    return observed;
-  }
-
-  // False if cancelled.
-  bool try_update(std::size_t t) {
-    const auto observed = learning_set(t);
-    if (observed.size() < options_.smallest_learning_set) return true;
-    LearnedTemplate& learned = result_.templates[t];
-    const PartTemplate proposal = reestimate(learned.initial, observed, options_);
-    auto seen = sightings(proposal, std::span(shapes_).first(judging_), fit_options_, threads_, counted_);
-    if (!seen) return false;
-    double members = 0;
-    double agreeing = 0;
-    double gain = 0;
-    for (std::size_t i = 0; i < judging_; ++i) {
-      if (taken_[i].part_template != t) continue;
-      members += 1;
-      agreeing += (*seen)[i].choice < taken_[i].seen.choice ? 1 : 0;
-      gain += taken_[i].seen.choice - (*seen)[i].choice;
-    }
-    if (members == 0 || agreeing < options_.agreeing_share * members || gain < smallest_gain * members)
-      return true;
-    learned.part_template = proposal;
-    learned.undivided.clear();
-    result_.origins[t].changed = true;
-    for (std::size_t i = 0; i < judging_; ++i) {
-      if (taken_[i].part_template == t || ((*seen)[i].choice < taken_[i].seen.choice && may_take(i, t)))
-        taken_[i] = {t, std::move((*seen)[i])};
-    }
-    return true;
-  }
-
-  struct Chosen {
-    std::vector<std::size_t> indices;  // ascending
-    TemplateMembers members;
+RoundInProgress::RoundInProgress(std::span<const LearnedTemplate> templates,
+                                 std::span<const ShapeSamples> judging, std::span<const ShapeSamples> others,
+                                 const FitOptions& fit_options, const LearnOptions& options, unsigned threads,
+                                 const JobControl& control,
+                                 std::span<const ShapeCorrection* const> corrections,
+                                 std::span<const int> known_yaws)
+    : judging_samples_(judging),
+      judging_(judging.size()),
+      fit_options_(fit_options),
+      options_(options),
+      threads_(threads),
+      control_(control) {
+  for (const ShapeSamples& each : judging) shapes_.push_back({&each});
+  for (const ShapeSamples& each : others) shapes_.push_back({&each});
+  for (std::size_t i = 0; i < corrections.size(); ++i) shapes_[i].correction = corrections[i];
+  result_.yaws.assign(known_yaws.begin(), known_yaws.end());
+  for (std::size_t i = 0; i < shapes_.size(); ++i) set_yaw_costs(i, fit_options.yaw_costs);
+  counted_.stop = control.stop;
+  counted_.report = [this](std::size_t, std::size_t, std::string_view) {
+    const std::lock_guard lock(reporting_);  // or a thread that was held up would report an old number
+    const std::size_t fitted = ++fitted_;
+    control_.progress(fitted, std::max(fitted, planned_.load()), "");
   };
-  template <typename IsMember>
-  Chosen members_of(const IsMember& is_member) const {
-    Chosen chosen;
-    for (std::size_t i = 0; i < shapes_.size(); ++i) {
-      if (!is_member(i)) continue;
-      chosen.indices.push_back(i);
-      chosen.members.shapes.push_back(shapes_[i]);
-      chosen.members.seen.push_back(taken_[i].seen);
-      chosen.members.judging += i < judging_ ? 1 : 0;
-    }
-    return chosen;
-  }
+  result_.templates.assign(templates.begin(), templates.end());
+  for (std::size_t t = 0; t < templates.size(); ++t) result_.origins.push_back({t, false});
+}
 
-  // One or two more templates for some of the shapes that take `t`. Differs from the paper, which looks for
-  // it in the learning set: benches fit a chair badly, and that is what makes them a cluster. False if
-  // cancelled.
-  bool try_split(std::size_t t) {
-    const auto [indices, members] =
-        members_of([&](std::size_t i) { return taken_[i].part_template == t && !is_pinned_to(i, t); });
-    if (indices.size() < 2 * options_.smallest_cluster) return true;
-    const auto judges = std::span(indices).first(members.judging);
-    if (about_undivided(result_.templates[t].undivided, judges)) return true;
-    result_.templates[t].undivided.assign(judges.begin(), judges.end());
-    std::optional<TemplateSplit> split;
-    if (!split_template(result_.templates[t], members, fit_options_, options_, threads_, counted_, split))
-      return false;
-    if (!split) return true;
-    const double needed = options_.divided_share * static_cast<double>(members.judging);
-    const double worth_it = options_.least_division_gain * static_cast<double>(judging_);
-    if (split->gain <= worth_it || static_cast<double>(split->agreeing) < needed) return true;
-    const std::string name = result_.templates[t].part_template.name;
-    for (std::size_t m = 0; m < indices.size(); ++m) {
-      const std::size_t side = split->sides[m];
-      taken_[indices[m]] = {side == 0 ? t : result_.templates.size() + side - 1, std::move(split->seen[m])};
-    }
-    split->templates.front().pinned = result_.templates[t].pinned;
-    result_.templates[t] = std::move(split->templates.front());
-    result_.origins[t].changed = true;
-    for (LearnedTemplate& child : std::span(split->templates).subspan(1)) {
-      child.part_template.name = child.initial.name = free_name(name);
-      result_.templates.push_back(std::move(child));
-      result_.origins.push_back({t, true});
-    }
-    return see_pinned_again(t);
+std::optional<LearningRound> RoundInProgress::run() {
+  planned_ = result_.templates.size() * (2 * judging_ + shapes_.size()) + fits_of_division * shapes_.size();
+  if (!fit_all()) return std::nullopt;
+  result_.energy_before = mean_energy();
+  const std::size_t count = result_.templates.size();
+  for (std::size_t t = 0; t < count; ++t) {
+    plan((count - t) * judging_, 0);
+    if (!try_update(t)) return std::nullopt;
   }
-
-  // Each pair of templates, once nothing else changes. False if cancelled.
-  bool try_merges() {
-    if (std::ranges::any_of(result_.origins, &TemplateOrigin::changed)) return true;
-    const std::size_t count = result_.templates.size();
-    planned_ = fitted_ + 2 * (count - 1) * shapes_.size();
-    for (std::size_t a = 0; a < count; ++a) {
-      for (std::size_t b = a + 1; b < count; ++b) {
-        if (!try_merge(a, b)) return false;
-      }
-    }
-    return true;
+  // A template that still moves would only spawn what it is about to become.
+  for (std::size_t t = 0; t < count; ++t) {
+    plan(0, t);
+    if (!result_.origins[t].changed && !try_split(t)) return std::nullopt;
   }
-
-  // Of two that did not change yet. False if cancelled.
-  bool try_merge(std::size_t a, std::size_t b) {
-    if (result_.origins[a].changed || result_.origins[b].changed || result_.templates[b].pinned) return true;
-    const auto [indices, members] = members_of(
-        [&](std::size_t i) { return taken_[i].part_template == a || taken_[i].part_template == b; });
-    Sides sides;
-    for (const std::size_t i : indices) sides.push_back(taken_[i].part_template == b ? 1 : 0);
-    std::optional<TemplateMerge> merge;
-    if (!merge_templates(result_.templates[a], result_.templates[b], members, sides, fit_options_, options_,
-                         threads_, counted_, merge))
-      return false;
-    if (!merge || merge->gain <= smallest_gain * static_cast<double>(members.judging)) return true;
-    result_.templates[a].part_template = std::move(merge->part_template);
-    // It would only be divided again as it was.
-    const auto judges = std::span(indices).first(members.judging);
-    result_.templates[a].undivided.assign(judges.begin(), judges.end());
-    result_.origins[a].changed = true;
-    for (std::size_t m = 0; m < indices.size(); ++m) taken_[indices[m]] = {a, std::move(merge->seen[m])};
-    return true;
+  if (!try_pairs()) return std::nullopt;
+  drop_unused();
+  result_.energy = mean_energy();
+  for (std::size_t i = 0; i < judging_; ++i) result_.taken.push_back(taken_[i].part_template);
+  // A bench that a template of chairs reached from the side may have turned for one of its own.
+  if (result_.yaws.empty()) {
+    for (std::size_t i = 0; i < judging_; ++i) result_.yaws.push_back(taken_[i].seen.yaw_quarters);
   }
+  return std::move(result_);
+}
 
-  // Those that stay with template `t` whatever it becomes. False if cancelled.
-  bool see_pinned_again(std::size_t t) {
-    std::vector<std::size_t> indices;
-    std::vector<LearningShape> shapes;
-    for (std::size_t i = 0; i < shapes_.size(); ++i) {
-      if (taken_[i].part_template != t || !is_pinned_to(i, t)) continue;
-      indices.push_back(i);
-      shapes.push_back(shapes_[i]);
+std::optional<int> RoundInProgress::known_yaw(std::size_t shape) const {
+  return shape < result_.yaws.size() ? std::optional(result_.yaws[shape]) : std::nullopt;
+}
+
+void RoundInProgress::set_yaw_costs(std::size_t shape, std::array<double, 4> costs) {
+  add_cost_of_turning(costs, known_yaw(shape));
+  if (const ShapeCorrection* correction = shapes_[shape].correction)
+    costs = pinned_yaw_costs(costs, *correction);
+  shapes_[shape].yaw_costs = costs;
+}
+
+std::vector<bool> RoundInProgress::allowed_of(std::size_t shape) const {
+  const ShapeCorrection* correction = shapes_[shape].correction;
+  if (!correction || correction->part_template.empty()) return {};
+  std::vector<std::string> names;
+  for (const LearnedTemplate& each : result_.templates) names.push_back(each.part_template.name);
+  return allowed_templates(*correction, names);
+}
+
+bool RoundInProgress::may_take(std::size_t shape, std::size_t t) const {
+  const std::vector<bool> allowed = allowed_of(shape);
+  return allowed.empty() || allowed[t];
+}
+
+bool RoundInProgress::is_pinned_to(std::size_t shape, std::size_t t) const {
+  const ShapeCorrection* correction = shapes_[shape].correction;
+  return correction && correction->part_template == result_.templates[t].part_template.name;
+}
+
+bool RoundInProgress::must_learn(std::size_t shape) const {
+  return shapes_[shape].correction && shapes_[shape].correction->mark == ShapeMark::learn;
+}
+
+void RoundInProgress::plan(std::size_t fits, std::size_t first) {
+  for (std::size_t t = first; t < result_.templates.size(); ++t) {
+    std::size_t members = 0;
+    std::vector<std::size_t> judges;
+    for (std::size_t i = 0; i < taken_.size(); ++i) {
+      if (taken_[i].part_template != t || is_pinned_to(i, t)) continue;
+      ++members;
+      if (i < judging_) judges.push_back(i);
     }
-    if (indices.empty()) return true;
+    const bool divided = !result_.origins[t].changed && members >= 2 * options_.smallest_cluster &&
+                         !about_undivided(result_.templates[t].undivided, judges);
+    if (divided) fits += fits_of_division * members;
+  }
+  planned_ = fitted_ + fits;
+}
+
+bool RoundInProgress::fit_all() {
+  if (!take_best(judging_)) return false;
+  std::vector<std::array<double, 4>> energies;
+  for (std::size_t i = 0; i < judging_; ++i) {
+    energies.push_back(taken_[i].seen.yaw_energies);
+    add_cost_of_turning(energies.back(), known_yaw(i));
+  }
+  const AgreedYaws agreed(judging_samples_, energies);
+  std::vector<std::array<double, 4>> votes(shapes_.size());
+  const auto ask = [&](std::size_t i) { votes[i] = agreed.costs(*shapes_[i].samples); };
+  if (!parallel_for(shapes_.size(), threads_, {control_.stop, {}}, "", ask)) return false;
+  for (std::size_t i = 0; i < shapes_.size(); ++i) set_yaw_costs(i, votes[i]);
+  return take_best(shapes_.size());
+}
+
+bool RoundInProgress::take_best(std::size_t count) {
+  taken_.assign(count, {});
+  const auto shapes = std::span(shapes_).first(count);
+  for (std::size_t t = 0; t < result_.templates.size(); ++t) {
     auto seen = sightings(result_.templates[t].part_template, shapes, fit_options_, threads_, counted_);
     if (!seen) return false;
-    for (std::size_t k = 0; k < indices.size(); ++k) taken_[indices[k]].seen = std::move((*seen)[k]);
-    return true;
-  }
-
-  // As many others as make no other cluster make no other division: it would be most of a round's work to
-  // find that again.
-  bool about_undivided(std::span<const std::size_t> undivided, std::span<const std::size_t> judges) const {
-    if (undivided.empty()) return false;
-    std::vector<std::size_t> changed;
-    std::ranges::set_symmetric_difference(undivided, judges, std::back_inserter(changed));
-    return static_cast<double>(changed.size()) <=
-           options_.cluster_share * static_cast<double>(undivided.size());
-  }
-
-  // Others may have taken all shapes of a template.
-  void drop_unused() {
-    std::vector<std::size_t> members(result_.templates.size(), 0);
-    for (std::size_t i = 0; i < judging_; ++i) ++members[taken_[i].part_template];
-    std::vector<std::size_t> now(members.size(), 0);
-    std::size_t kept = 0;
-    for (std::size_t t = 0; t < members.size(); ++t) {
-      if (members[t] == 0 && !result_.templates[t].pinned) {
-        result_.dropped = true;
-        continue;
-      }
-      now[t] = kept;
-      if (kept != t) result_.templates[kept] = std::move(result_.templates[t]);
-      result_.origins[kept] = result_.origins[t];
-      ++kept;
+    for (std::size_t i = 0; i < count; ++i) {
+      if ((*seen)[i].choice < taken_[i].seen.choice && may_take(i, t)) taken_[i] = {t, std::move((*seen)[i])};
     }
-    result_.templates.resize(kept);
-    result_.origins.resize(kept);
-    for (std::size_t i = 0; i < judging_; ++i) taken_[i].part_template = now[taken_[i].part_template];
   }
+  for (const Taken& each : taken_)
+    if (!std::isfinite(each.seen.choice)) throw NumericError("a shape has a fit of no finite energy");
+  return true;
+}
 
-  std::string free_name(const std::string& parent) const {
-    std::set<std::string> taken;
-    for (const LearnedTemplate& each : result_.templates) taken.insert(each.part_template.name);
-    return child_name(parent, taken);
+double RoundInProgress::mean_energy() const {
+  if (judging_ == 0) return 0;
+  double sum = 0;
+  std::vector<std::size_t> members(result_.templates.size(), 0);
+  for (std::size_t i = 0; i < judging_; ++i) {
+    sum += taken_[i].seen.choice;
+    ++members[taken_[i].part_template];
   }
+  for (std::size_t t = 0; t < members.size(); ++t)
+    sum += parameter_cost(result_.templates[t].part_template, result_.templates[t].initial, members[t],
+                          fit_options_, options_);
+  return sum / static_cast<double>(judging_);
+}
 
-  std::span<const ShapeSamples> judging_samples_;
-  std::vector<LearningShape> shapes_;  // the judging ones first
-  std::size_t judging_;
-  const FitOptions& fit_options_;
-  const LearnOptions& options_;
-  unsigned threads_;
-  const JobControl& control_;
-  JobControl counted_;  // counts what is fitted in the whole round
-  std::mutex reporting_;
-  std::atomic<std::size_t> fitted_ = 0;
-  std::atomic<std::size_t> planned_ = 0;  // with those that are still ahead
-  std::vector<Taken> taken_;              // by shape: the best so far
-  LearningRound result_;
-};
+std::vector<std::vector<PartObservation>> RoundInProgress::learning_set(std::size_t t) const {
+  std::vector<std::size_t> members;
+  for (std::size_t i = 0; i < taken_.size(); ++i) {
+    if (taken_[i].part_template == t) members.push_back(i);
+  }
+  const auto energy = [this](std::size_t i) { return taken_[i].seen.energy; };
+  std::ranges::stable_sort(members, {}, energy);
+  std::vector<std::vector<PartObservation>> observed;
+  const double share = std::ceil(options_.learning_share * static_cast<double>(members.size()));
+  double fit_well = 0;
+  for (const std::size_t i : members) {
+    const bool fits = fit_well < share && energy(i) <= options_.tau * energy(members.front());
+    if (!fits && !must_learn(i)) continue;
+    if (fits) fit_well += 1;
+    observed.push_back(taken_[i].seen.parts);
+  }
+  return observed;
+}
 
-}  // namespace
+bool RoundInProgress::try_update(std::size_t t) {
+  const auto observed = learning_set(t);
+  if (observed.size() < options_.smallest_learning_set) return true;
+  LearnedTemplate& learned = result_.templates[t];
+  const PartTemplate proposal = reestimate(learned.initial, observed, options_);
+  auto seen = sightings(proposal, std::span(shapes_).first(judging_), fit_options_, threads_, counted_);
+  if (!seen) return false;
+  double members = 0;
+  double agreeing = 0;
+  double gain = 0;
+  for (std::size_t i = 0; i < judging_; ++i) {
+    if (taken_[i].part_template != t) continue;
+    members += 1;
+    agreeing += (*seen)[i].choice < taken_[i].seen.choice ? 1 : 0;
+    gain += taken_[i].seen.choice - (*seen)[i].choice;
+  }
+  if (members == 0 || agreeing < options_.agreeing_share * members || gain < smallest_gain * members)
+    return true;
+  learned.part_template = proposal;
+  learned.undivided.clear();
+  result_.origins[t].changed = true;
+  for (std::size_t i = 0; i < judging_; ++i) {
+    if (taken_[i].part_template == t || ((*seen)[i].choice < taken_[i].seen.choice && may_take(i, t)))
+      taken_[i] = {t, std::move((*seen)[i])};
+  }
+  return true;
+}
+
+void RoundInProgress::drop_unused() {
+  std::vector<std::size_t> members(result_.templates.size(), 0);
+  for (std::size_t i = 0; i < judging_; ++i) ++members[taken_[i].part_template];
+  std::vector<std::size_t> now(members.size(), 0);
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < members.size(); ++t) {
+    if (members[t] == 0 && !result_.templates[t].pinned) {
+      result_.dropped = true;
+      continue;
+    }
+    now[t] = kept;
+    if (kept != t) result_.templates[kept] = std::move(result_.templates[t]);
+    result_.origins[kept] = result_.origins[t];
+    ++kept;
+  }
+  result_.templates.resize(kept);
+  result_.origins.resize(kept);
+  for (std::size_t i = 0; i < judging_; ++i) taken_[i].part_template = now[taken_[i].part_template];
+}
 
 bool LearningRound::changed() const {
   return dropped || std::ranges::any_of(origins, &TemplateOrigin::changed);
@@ -400,7 +240,8 @@ std::optional<LearningRound> learning_round(std::span<const LearnedTemplate> tem
   if (templates.empty()) throw PreconditionError("there is no template to learn from");
   if (!known_yaws.empty() && known_yaws.size() != judging.size())
     throw PreconditionError("judging shapes need a known yaw each");
-  return Round(templates, judging, others, fit_options, options, threads, control, corrections, known_yaws)
+  return RoundInProgress(templates, judging, others, fit_options, options, threads, control, corrections,
+                         known_yaws)
       .run();
 }
 

@@ -116,7 +116,7 @@ std::optional<double> gain_of_whole(const LearnedTemplate& parent, const Templat
 
 bool split_template(const LearnedTemplate& parent, const TemplateMembers& members,
                     const FitOptions& fit_options, const LearnOptions& options, unsigned threads,
-                    const JobControl& control, std::optional<TemplateSplit>& split) {
+                    const JobControl& control, std::optional<TemplateSplit>& split, std::size_t most_sides) {
   split.reset();
   // What the same estimate gains without any division is no reason for one.
   std::optional<double> without = gain_of_whole(parent, members, fit_options, options, threads, control);
@@ -125,6 +125,7 @@ bool split_template(const LearnedTemplate& parent, const TemplateMembers& member
   const auto gain = [&](const Division& division) { return division.gain(fit_options, options) - *without; };
   std::vector<Division> started;
   for (SplitProposal& proposal : split_proposals(parent, members, options)) {
+    if (proposal.templates.size() > most_sides) continue;
     Division division(parent, std::move(proposal), members);
     if (!division.advance(fit_options, options, threads, control)) return false;
     if (division.balanced(options.smallest_learning_set)) started.push_back(std::move(division));

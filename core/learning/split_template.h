@@ -30,6 +30,7 @@ struct TemplateSplit {
 // template of those without.
 bool split_template(const LearnedTemplate& parent, const TemplateMembers& members,
                     const FitOptions& fit_options, const LearnOptions& options, unsigned threads,
-                    const JobControl& control, std::optional<TemplateSplit>& split);
+                    const JobControl& control, std::optional<TemplateSplit>& split,
+                    std::size_t most_sides = 3);
 
 }  // namespace archetype

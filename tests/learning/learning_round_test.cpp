@@ -10,6 +10,7 @@
 #include "core/fitting/fit_template.h"
 #include "tests/support/made_shapes.h"
 #include "tests/support/small_collection.h"
+#include "tests/support/two_templates.h"
 
 using namespace archetype;
 using namespace archetype::test;
@@ -137,6 +138,38 @@ TEST_CASE("two templates of one kind become one, and neither those that shapes a
   CHECK(merged.origins[0].changed);
   CHECK(merged.energy < merged.energy_before);
   CHECK(merged.templates[0].undivided.size() == 10);
+}
+
+TEST_CASE("the border between two that are near each other is drawn anew where all else stays") {
+  archetype::test::TwoTemplates given;
+  given.points = 150;
+  given.add("bench", 12, 0);
+  given.add("plain", 12, 1);
+  const Sides right = given.sides;
+  for (std::size_t i = 4; i < 12; ++i) given.sides[i] = 1;  // so many that they do not go back by themselves
+  given.learn();
+  given.second.part_template.name = given.second.initial.name = "second";
+  LearnOptions options;
+  options.agreeing_share = options.divided_share = 2;  // so that nothing is estimated anew first, or divided
+  options.least_division_gain = 0.2;                   // of which it depends what is near
+  const auto round = [&] {
+    return *learning_round(std::array{given.first, given.second}, given.shapes, {}, {}, options, 2, {});
+  };
+  const LearningRound drawn = round();
+  CHECK(drawn.taken == right);
+  REQUIRE(drawn.templates.size() == 2);
+  CHECK(drawn.templates[0].part_template.name == given.first.part_template.name);
+  CHECK(drawn.templates[1].part_template.name == "second");
+  for (const std::size_t t : {0, 1}) {
+    CHECK(drawn.origins[t].parent == t);
+    CHECK(drawn.origins[t].changed);
+    CHECK(drawn.templates[t].undivided.empty());
+  }
+  CHECK(drawn.energy < drawn.energy_before);
+  given.first.pinned = true;
+  const LearningRound pinned = round();
+  CHECK_FALSE(pinned.changed());
+  CHECK(pinned.taken != right);
 }
 
 TEST_CASE("a template that no shape takes is dropped, unless some shape of the collection is pinned to it") {

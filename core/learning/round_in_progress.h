@@ -1,0 +1,117 @@
+// A round of learning while it is under way: learning_round.cpp fits the templates and estimates them anew,
+// round_divisions.cpp divides them, joins them, and draws the borders between them.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/learning/learning_round.h"
+#include "core/learning/merge_templates.h"
+#include "core/learning/sightings.h"
+#include "core/learning/split_proposals.h"
+
+namespace archetype {
+
+// Proposals are judged one after the other, so that each is compared with what was kept before it. What
+// returns false was cancelled.
+class RoundInProgress {
+ public:
+  // All as in learning_round().
+  RoundInProgress(std::span<const LearnedTemplate> templates, std::span<const ShapeSamples> judging,
+                  std::span<const ShapeSamples> others, const FitOptions& fit_options,
+                  const LearnOptions& options, unsigned threads, const JobControl& control,
+                  std::span<const ShapeCorrection* const> corrections, std::span<const int> known_yaws);
+
+  std::optional<LearningRound> run();
+
+ private:
+  // A change that gains less than this for each shape is none.
+  static constexpr double smallest_gain = 1e-3;
+  // That a division costs for each member, rather too many than too few: for the progress.
+  static constexpr std::size_t fits_of_division = 100;
+  // What a shape says of the template that it takes.
+  struct Taken {
+    std::size_t part_template = 0;
+    Sighting seen;
+  };
+  struct Chosen {
+    std::vector<std::size_t> indices;  // ascending
+    TemplateMembers members;
+  };
+  // Two templates that are almost one.
+  struct NearPair {
+    std::size_t first = 0;
+    std::size_t second = 0;
+    Sides sides;
+    TemplateMerge merge;
+  };
+
+  std::optional<int> known_yaw(std::size_t shape) const;
+  void set_yaw_costs(std::size_t shape, std::array<double, 4> costs);
+  // By template; empty where any may be taken.
+  std::vector<bool> allowed_of(std::size_t shape) const;
+  bool may_take(std::size_t shape, std::size_t t) const;
+  bool is_pinned_to(std::size_t shape, std::size_t t) const;
+  bool must_learn(std::size_t shape) const;
+
+  // How many fits are ahead: so many, and those of the divisions that will be tried from template `first` on,
+  // as far as it can be told.
+  void plan(std::size_t fits, std::size_t first);
+  // Once to agree on the yaws, and once with what they cost then.
+  bool fit_all();
+  // The best of all templates for each of the first `count` shapes. Throws NumericError where a shape has no
+  // finite energy with any.
+  bool take_best(std::size_t count);
+  // Of the judging shapes, with what the parameters of the templates cost.
+  double mean_energy() const;
+  // The observations of the shapes that template `t` is learned from, the best fits first: those that fit
+  // well, and those that it was said to learn from.
+  std::vector<std::vector<PartObservation>> learning_set(std::size_t t) const;
+  bool try_update(std::size_t t);
+  // Others may have taken all shapes of a template.
+  void drop_unused();
+
+  // One or two more templates for some of the shapes that take `t`. Differs from the paper, which looks for
+  // it in the learning set: benches fit a chair badly, and that is what makes them a cluster.
+  bool try_split(std::size_t t);
+  // Each pair of templates, once nothing else changes: first whether they should be one, then, of each and
+  // the one that is nearest to it, whether the border between them is where it should be.
+  bool try_pairs();
+  // Of two that did not change yet; if they stay two, but near each other, they are added to `near`.
+  bool try_merge(std::size_t a, std::size_t b, std::vector<NearPair>& near);
+  bool may_be_redivided(const NearPair& pair) const;
+  // The border between two that may be.
+  bool try_redivision(const NearPair& pair);
+  // Those that stay with template `t` whatever it becomes.
+  bool see_pinned_again(std::size_t t);
+  // As many others as make no other cluster make no other division: it would be most of a round's work to
+  // find that again.
+  bool about_undivided(std::span<const std::size_t> undivided, std::span<const std::size_t> judges) const;
+  bool any_changed(std::size_t a, std::size_t b) const;
+  Chosen members_of(const std::function<bool(std::size_t)>& is_member) const;
+  Chosen members_of_either(std::size_t a, std::size_t b) const;
+  std::string free_name(const std::string& parent) const;
+
+  std::span<const ShapeSamples> judging_samples_;
+  std::vector<LearningShape> shapes_;  // the judging ones first
+  std::size_t judging_;
+  const FitOptions& fit_options_;
+  const LearnOptions& options_;
+  unsigned threads_;
+  const JobControl& control_;
+  JobControl counted_;  // counts what is fitted in the whole round
+  std::mutex reporting_;
+  std::atomic<std::size_t> fitted_ = 0;
+  std::atomic<std::size_t> planned_ = 0;  // with those that are still ahead
+  std::vector<Taken> taken_;              // by shape: the best so far
+  LearningRound result_;
+};
+
+}  // namespace archetype

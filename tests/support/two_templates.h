@@ -1,0 +1,29 @@
+// Two templates of one collection, each learned from some of its shapes.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/learning/merge_templates.h"
+
+namespace archetype::test {
+
+struct TwoTemplates {
+  // Adds shapes of a style of chairs (add_chairs()), which take the template of that side.
+  void add(const std::string& style, std::size_t count, std::size_t side);
+  // Both from the template of chairs, in two steps; `members` has what they say then.
+  void learn();
+  // With all of its shapes.
+  std::optional<TemplateMerge> merge() const;
+
+  int points = 300;  // of each shape
+  std::vector<ShapeSamples> shapes;
+  Sides sides;
+  LearnedTemplate first;
+  LearnedTemplate second;
+  TemplateMembers members;
+};
+
+}  // namespace archetype::test
