@@ -149,45 +149,26 @@ TEST_CASE("a fit that is killed 25 times loses nothing that it committed, and en
   CHECK((work.undisturbed("p") == expected));
 }
 
-TEST_CASE("a learning that is killed 20 times ends as if it had not been") {
-  const Work work(shape_count);
-  require_run(work.import_arguments("whole"), 3);
-  require_run(work.learn_arguments("whole"));
-  const Files expected = work.exported("whole");
-  require_run(work.import_arguments("p"), 3);
-  RandomStream random(3);
-  for (int killed = 0; killed < 20;) {
-    const bool was_killed = run_archetype(work.learn_arguments("p"), kill_within(random)).exit_code == -1;
-    CHECK(Committed(work.path("p")).shapes == shape_count);
-    if (was_killed) {
-      ++killed;
-    } else {
-      require_run({"learn", work.path("p"), "--template", work.path("chair.json"), "--fresh"});
-      CHECK((work.exported("p") == expected));
-      Project::open(work.path("p")).set_setting("learn.state", "");
-    }
-  }
-  require_run(work.learn_arguments("p"));
-  CHECK((work.exported("p") == expected));
-}
+namespace {
 
-TEST_CASE("a learning from nothing that is killed 20 times at any moment ends as if it had not been") {
-  const Work work(4);
-  const std::vector<std::string> learn{"learn", work.path("p"), "--threads", "2"};
-  require_run(work.import_arguments("p"), 3);
-  const Finished undisturbed = run_archetype(learn);
-  REQUIRE(undisturbed.exit_code == 0);
-  const Files expected = work.exported("p");
-  const auto whole = static_cast<std::uint64_t>(1000 * undisturbed.seconds_after_signal);
-  RandomStream random(4);
+// Learning, killed at random moments of the whole that it takes, and gone on with after each.
+void check_killed_learning(const Work& work, const std::vector<std::string>& learn, std::size_t shapes,
+                           std::uint64_t seed) {
   const auto begin_anew = [&] {
     for (const char* ending : {"p", "p-wal", "p-shm"}) fs::remove(work.path(ending));
     require_run(work.import_arguments("p"), 3);
   };
   begin_anew();
+  const Finished undisturbed = run_archetype(learn);
+  REQUIRE(undisturbed.exit_code == 0);
+  const Files expected = work.exported("p");
+  const auto whole = static_cast<std::uint64_t>(1000 * undisturbed.seconds_after_signal);
+  RandomStream random(seed);
+  begin_anew();
   for (int killed = 0; killed < 20;) {
     const Signal kill{SIGKILL, std::chrono::milliseconds(random.below(whole)), {}};
     const Finished run = run_archetype(learn, kill);
+    CHECK(Committed(work.path("p")).shapes == shapes);
     if (run.exit_code == -1) {
       ++killed;
     } else {
@@ -198,4 +179,16 @@ TEST_CASE("a learning from nothing that is killed 20 times at any moment ends as
   }
   require_run(learn);
   CHECK((work.exported("p") == expected));
+}
+
+}  // namespace
+
+TEST_CASE("a learning that is killed 20 times at any moment ends as if it had not been") {
+  const Work work(10);
+  check_killed_learning(work, work.learn_arguments("p"), 10, 3);
+}
+
+TEST_CASE("a learning from nothing that is killed 20 times at any moment ends as if it had not been") {
+  const Work work(4);
+  check_killed_learning(work, {"learn", work.path("p"), "--threads", "2"}, 4, 4);
 }
