@@ -39,14 +39,14 @@ struct LearningRound {
 // the share options.agreeing_share of the shapes that take it fit better, a division if the share
 // options.divided_share does and if it lowers the energy by more than its parameters cost. Where nothing else
 // changes, two become one if that lowers the energy (merge_templates.h), and the border between two that are
-// almost one is drawn anew (redivide_templates.h). `others` are only learned from. The
-// yaws of the judging shapes are decided together (agreed_yaws.h). Templates that no judging shape takes are
-// dropped, except those that shapes are pinned to. Nothing if cancelled. Throws PreconditionError without
-// templates, NumericError where a shape has no finite energy with any. Progress counts the fits of the round,
-// with those ahead as far as it can be told. Deterministic whatever the number of threads; about 3 fits per
-// template and judging shape and one per other shape, and those of the divisions, some 80 per shape, again
-// for new borders. Differs from the paper, which keeps every round's templates: so learning can leave a
-// collection worse.
+// almost one is drawn anew (redivide_templates.h). `others` are only learned from. The yaws of the judging
+// shapes are decided together (agreed_yaws.h). Templates that no judging shape takes are dropped, except
+// those that shapes are pinned to. Nothing if cancelled. Throws PreconditionError without templates,
+// NumericError where a shape has no finite energy with any. Progress counts the fits of the round, with those
+// ahead as far as it can be told. Deterministic whatever the number of threads; about 3 fits per template and
+// judging shape and one per other shape, and those of the divisions, some 80 per shape, again for new
+// borders. Differs from the paper, which keeps every round's templates: so learning can leave a collection
+// worse.
 //
 // corrections: what was corrected by hand, one per shape with the judging ones first, null where nothing was;
 // or none at all. Pinned yaws, templates and labels hold in all fits, and pinned yaws count when yaws are
