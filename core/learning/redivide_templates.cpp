@@ -66,11 +66,7 @@ bool redivide_templates(const LearnedTemplate& first, const LearnedTemplate& sec
   if (!is_another(found->sides, sides, members.judging, options.smallest_learning_set)) return true;
 
   double fallen = 0;
-  found->agreeing = 0;
-  for (std::size_t i = 0; i < members.judging; ++i) {
-    fallen += members.seen[i].choice - found->seen[i].choice;
-    found->agreeing += found->seen[i].choice < members.seen[i].choice ? 1 : 0;
-  }
+  for (std::size_t i = 0; i < members.judging; ++i) fallen += members.seen[i].choice - found->seen[i].choice;
   const Pair before{&first, &second};
   const Pair after{&found->templates[0], &found->templates[1]};
   // Beside what was known before them, or beside the merged one, without which any would be better than those

@@ -2,17 +2,15 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-
 #include "tests/support/two_templates.h"
 
 using namespace archetype;
+using archetype::test::cancelled;
 using archetype::test::TwoTemplates;
 
 TEST_CASE("two templates of one kind of shapes become one, those of two kinds do not") {
   TwoTemplates alike;
-  alike.add("plain", 12, 0);
-  std::fill(alike.sides.begin() + 6, alike.sides.end(), 1);
+  alike.add_halves(12);
   alike.learn();
   const auto one = alike.merge();
   REQUIRE(one);
@@ -31,8 +29,7 @@ TEST_CASE("two templates of one kind of shapes become one, those of two kinds do
 
 TEST_CASE("templates of other parts, and those that no judging shape takes, are not merged") {
   TwoTemplates given;
-  given.add("plain", 6, 0);
-  std::fill(given.sides.begin() + 3, given.sides.end(), 1);
+  given.add_halves(6);
   given.learn();
   TwoTemplates other = given;
   other.second.part_template.parts.front().name = "lid";
@@ -44,14 +41,9 @@ TEST_CASE("templates of other parts, and those that no judging shape takes, are 
 
 TEST_CASE("a merge that is cancelled says so") {
   TwoTemplates given;
-  given.add("plain", 6, 0);
-  std::fill(given.sides.begin() + 3, given.sides.end(), 1);
+  given.add_halves(6);
   given.learn();
-  std::stop_source source;
-  source.request_stop();
-  JobControl control;
-  control.stop = source.get_token();
   std::optional<TemplateMerge> merge;
   CHECK_FALSE(
-      merge_templates(given.first, given.second, given.members, given.sides, {}, {}, 2, control, merge));
+      merge_templates(given.first, given.second, given.members, given.sides, {}, {}, 2, cancelled(), merge));
 }

@@ -2,11 +2,10 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-
 #include "tests/support/two_templates.h"
 
 using namespace archetype;
+using archetype::test::cancelled;
 using archetype::test::TwoTemplates;
 
 namespace {
@@ -71,14 +70,9 @@ TEST_CASE("a border that is right stays, and one that would leave a side without
 
 TEST_CASE("a border that is sought says so when it is cancelled") {
   TwoTemplates given;
-  given.add("plain", 6, 0);
-  std::fill(given.sides.begin() + 3, given.sides.end(), 1);
+  given.add_halves(6);
   given.learn();
-  std::stop_source source;
-  source.request_stop();
-  JobControl control;
-  control.stop = source.get_token();
   std::optional<TemplateSplit> split;
   CHECK_FALSE(redivide_templates(given.first, given.second, given.members, given.sides, *given.merge(), {},
-                                 {}, 2, control, split));
+                                 {}, 2, cancelled(), split));
 }

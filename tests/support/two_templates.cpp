@@ -1,5 +1,8 @@
 #include "tests/support/two_templates.h"
 
+#include <algorithm>
+#include <stop_token>
+
 #include "core/learning/sightings.h"
 #include "tests/support/made_shapes.h"
 #include "tests/support/small_collection.h"
@@ -9,6 +12,11 @@ namespace archetype::test {
 void TwoTemplates::add(const std::string& style, std::size_t count, std::size_t side) {
   add_chairs(shapes, style, count, points);
   sides.resize(shapes.size(), side);
+}
+
+void TwoTemplates::add_halves(std::size_t count) {
+  add("plain", count, 0);
+  std::fill(sides.begin() + static_cast<std::ptrdiff_t>(count / 2), sides.end(), 1);
 }
 
 void TwoTemplates::learn() {
@@ -42,6 +50,12 @@ std::optional<TemplateMerge> TwoTemplates::merge() const {
   std::optional<TemplateMerge> result;
   merge_templates(first, second, members, sides, {}, {}, 2, {}, result);
   return result;
+}
+
+JobControl cancelled() {
+  std::stop_source source;
+  source.request_stop();
+  return {source.get_token(), {}};
 }
 
 }  // namespace archetype::test
