@@ -60,7 +60,8 @@ bool redivide_templates(const LearnedTemplate& first, const LearnedTemplate& sec
   const LearnedTemplate whole{merge.part_template, first.initial};
   const TemplateMembers of_whole{members.shapes, merge.seen, members.judging};
   std::optional<TemplateSplit> found;
-  if (!split_template(whole, of_whole, fit_options, options, threads, control, found, 2)) return false;
+  if (!split_template(whole, of_whole, fit_options, options, threads, control, found, {.most_sides = 2}))
+    return false;
   if (!found) return true;
   keep_most_sides(*found, sides);
   if (!is_another(found->sides, sides, members.judging, options.smallest_learning_set)) return true;

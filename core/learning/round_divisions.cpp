@@ -29,12 +29,12 @@ bool RoundInProgress::try_split(std::size_t t) {
   if (about_undivided(result_.templates[t].undivided, judges)) return true;
   result_.templates[t].undivided.assign(judges.begin(), judges.end());
   std::optional<TemplateSplit> split;
-  if (!split_template(result_.templates[t], members, fit_options_, options_, threads_, counted_, split))
+  const double least_gain = options_.least_division_gain * static_cast<double>(judging_);
+  if (!split_template(result_.templates[t], members, fit_options_, options_, threads_, counted_, split,
+                      {.least_gain = least_gain}))
     return false;
-  if (!split) return true;
   const double needed = options_.divided_share * static_cast<double>(members.judging);
-  const double worth_it = options_.least_division_gain * static_cast<double>(judging_);
-  if (split->gain <= worth_it || static_cast<double>(split->agreeing) < needed) return true;
+  if (!split || static_cast<double>(split->agreeing) < needed) return true;
   const std::string name = result_.templates[t].part_template.name;
   for (std::size_t m = 0; m < indices.size(); ++m) {
     const std::size_t side = split->sides[m];

@@ -116,7 +116,8 @@ std::optional<double> gain_of_whole(const LearnedTemplate& parent, const Templat
 
 bool split_template(const LearnedTemplate& parent, const TemplateMembers& members,
                     const FitOptions& fit_options, const LearnOptions& options, unsigned threads,
-                    const JobControl& control, std::optional<TemplateSplit>& split, std::size_t most_sides) {
+                    const JobControl& control, std::optional<TemplateSplit>& split,
+                    const SplitLimits& limits) {
   split.reset();
   // What the same estimate gains without any division is no reason for one.
   std::optional<double> without = gain_of_whole(parent, members, fit_options, options, threads, control);
@@ -125,20 +126,25 @@ bool split_template(const LearnedTemplate& parent, const TemplateMembers& member
   const auto gain = [&](const Division& division) { return division.gain(fit_options, options) - *without; };
   std::vector<Division> started;
   for (SplitProposal& proposal : split_proposals(parent, members, options)) {
-    if (proposal.templates.size() > most_sides) continue;
+    if (proposal.templates.size() > limits.most_sides) continue;
     Division division(parent, std::move(proposal), members);
     if (!division.advance(fit_options, options, threads, control)) return false;
     if (division.balanced(options.smallest_learning_set)) started.push_back(std::move(division));
   }
   std::ranges::stable_sort(started, std::greater<>{}, gain);
   std::array<std::size_t, 4> taken{};  // by the number of sides
+  double most = 0;                     // beyond what is needed
   for (Division& division : started) {
     if (++taken[division.sides()] > followed) continue;
     for (int step = 1; step < divisions && division.balanced(options.smallest_learning_set); ++step) {
       if (!division.advance(fit_options, options, threads, control)) return false;
     }
     if (!division.balanced(options.smallest_cluster)) continue;
-    if (!split || gain(division) > split->gain) split = division.result(gain(division));
+    const double needed = (division.balanced(options.sure_cluster) ? 1 : 2) * limits.least_gain;
+    const double gained = gain(division);
+    if (gained - needed <= most) continue;
+    most = gained - needed;
+    split = division.result(gained);
   }
   return true;
 }

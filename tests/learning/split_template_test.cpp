@@ -88,6 +88,31 @@ TEST_CASE("proposals are divisions that leave enough on both sides, once with ea
   }
 }
 
+TEST_CASE("what leaves few shapes on a side has to gain twice as much, and none may be left fewer") {
+  Case given;
+  add_chairs(given.shapes, "plain", 6, points);
+  add_chairs(given.shapes, "bench", 4, points);
+  const TemplateMembers members = given.members();
+  LearnOptions options;
+  const auto split = [&](double least_gain) {
+    std::optional<TemplateSplit> result;
+    REQUIRE(split_template(given.parent, members, {}, options, 2, {}, result, {.least_gain = least_gain}));
+    return result;
+  };
+  const auto is_by_kind = [](const std::optional<TemplateSplit>& each) {
+    return each && one_to_one(each->sides, {0, 0, 0, 0, 0, 0, 1, 1, 1, 1});
+  };
+  const auto best = split(0);
+  REQUIRE(is_by_kind(best));
+  CHECK(is_by_kind(split(0.49 * best->gain)));
+  CHECK_FALSE(is_by_kind(split(0.51 * best->gain)));
+  options.sure_cluster = 4;
+  CHECK(is_by_kind(split(0.99 * best->gain)));
+  CHECK_FALSE(split(1.01 * best->gain));
+  options.smallest_cluster = 5;
+  CHECK_FALSE(is_by_kind(split(0)));
+}
+
 TEST_CASE("a division that is cancelled says so") {
   Case given;
   add_chairs(given.shapes, "plain", 6, points);
