@@ -62,9 +62,22 @@ std::string what_is_missing(const PlotEntry& entry, const Arguments& arguments) 
 // What was said, or else what the project knows of.
 GroundTruthFolders known_truth(const Project& project, const Arguments& arguments) {
   GroundTruthFolders truth = ground_truth_folders(project);
-  if (!arguments.truth.labels.empty()) truth.labels = arguments.truth.labels;
-  if (!arguments.truth.landmarks.empty()) truth.landmarks = arguments.truth.landmarks;
+  if (!arguments.truth.labels.empty()) truth.labels = std::filesystem::absolute(arguments.truth.labels);
+  if (!arguments.truth.landmarks.empty())
+    truth.landmarks = std::filesystem::absolute(arguments.truth.landmarks);
   return truth;
+}
+
+bool is_same_folder(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code none;
+  return a == b || std::filesystem::equivalent(a, b, none);
+}
+
+// Measures that the project keeps are those against the truth that it knows of.
+bool keeps_measures(const Project& project, const Arguments& arguments) {
+  const GroundTruthFolders known = ground_truth_folders(project);
+  const GroundTruthFolders said = known_truth(project, arguments);
+  return is_same_folder(known.labels, said.labels) && is_same_folder(known.landmarks, said.landmarks);
 }
 
 Gathered gather(const Project& project, const PlotEntry& entry, const Arguments& arguments,
@@ -83,7 +96,7 @@ Gathered gather(const Project& project, const PlotEntry& entry, const Arguments&
     found.landmarks = evaluate_landmarks(project, needed(arguments.truth.landmarks, "--landmarks", entry),
                                          invocation.threads, control);
   } else if (project.shape_count() > 0 && entry.need == PlotNeed::subsets) {
-    found.subsets = stored_subset_measures(project);
+    if (keeps_measures(project, arguments)) found.subsets = stored_subset_measures(project);
     const std::vector<PartTemplate> start = learning_start(project);
     if (found.subsets.empty() && !start.empty()) {
       auto measured =
@@ -92,7 +105,7 @@ Gathered gather(const Project& project, const PlotEntry& entry, const Arguments&
       if (measured) found.subsets = std::move(*measured);
     }
   } else if (project.shape_count() > 0) {
-    found.starts = stored_start_measures(project);
+    if (keeps_measures(project, arguments)) found.starts = stored_start_measures(project);
     if (found.starts.empty()) {
       auto measured = measure_suggested_starts(project, known_truth(project, arguments), invocation.seed,
                                                invocation.threads, control);
@@ -144,6 +157,8 @@ int run_plot(const Arguments& arguments, const Invocation& invocation) {
     store_subset_measures(project, found.subsets);
   if (entry.need == PlotNeed::starts && stored_start_measures(project) != found.starts)
     store_start_measures(project, found.starts);
+  if (entry.need == PlotNeed::subsets || entry.need == PlotNeed::starts)
+    remember_ground_truth(project, known_truth(project, arguments));
   const bool refused = (found.labelling && !found.labelling->refused.empty()) ||
                        (found.landmarks && !found.landmarks->refused.empty());
   return refused ? exit_code::some_refused : exit_code::done;

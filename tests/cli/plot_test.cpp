@@ -53,6 +53,29 @@ TEST_CASE("every plot is written, and the same twice") {
   CHECK(run.err.find("wing") != std::string::npos);
 }
 
+TEST_CASE("what was measured against other labels is not taken for what these say") {
+  const Fixture fixture;
+  write_chairs(fixture.folder.path(), 2);
+  require_run({"import", fixture.project, (fixture.folder.path() / "shapes").string(), "--points", "100"});
+  const auto other = fixture.folder.path() / "other";
+  std::filesystem::create_directory(other);
+  for (const auto& entry : std::filesystem::directory_iterator(fixture.labels)) {
+    std::string of_one;  // as if each shape were of one part
+    for (const char each : read_file(entry.path())) of_one += each == '\n' ? "0\n" : "";
+    replace_file(other / entry.path().filename(), of_one);
+  }
+  const auto csv_with = [&](const std::string& labels) {
+    const std::string csv = (fixture.folder.path() / "starts.csv").string();
+    require_run({"plot", fixture.project, "--plot", "learning-starts", "--out", csv, "--labels", labels});
+    return read_file(csv);
+  };
+  const std::string first = csv_with(fixture.labels);
+  CHECK(first.find("Labels right") != std::string::npos);
+  const std::string second = csv_with(other.string());
+  CHECK(second != first);
+  CHECK(csv_with(other.string()) == second);
+}
+
 TEST_CASE("a plot that cannot be made says what is missing, in one line") {
   const Fixture fixture;
   write_chairs(fixture.folder.path(), 2);
