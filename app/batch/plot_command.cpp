@@ -60,7 +60,7 @@ std::string what_is_missing(const PlotEntry& entry, const Arguments& arguments) 
 }
 
 // What was said, or else what the project knows of.
-GroundTruthFolders known_truth(const Project& project, const Arguments& arguments) {
+GroundTruthFolders truth_for(const Project& project, const Arguments& arguments) {
   GroundTruthFolders truth = ground_truth_folders(project);
   if (!arguments.truth.labels.empty()) truth.labels = std::filesystem::absolute(arguments.truth.labels);
   if (!arguments.truth.landmarks.empty())
@@ -68,16 +68,19 @@ GroundTruthFolders known_truth(const Project& project, const Arguments& argument
   return truth;
 }
 
-bool is_same_folder(const std::filesystem::path& a, const std::filesystem::path& b) {
+// Whether it is the folder that was said, if one was.
+bool is_as_said(const std::filesystem::path& folder, const std::filesystem::path& said) {
   std::error_code none;
-  return a == b || std::filesystem::equivalent(a, b, none);
+  return said.empty() || folder == said || std::filesystem::equivalent(folder, said, none);
 }
 
-// Measures that the project keeps are those against the truth that it knows of.
-bool keeps_measures(const Project& project, const Arguments& arguments) {
-  const GroundTruthFolders known = ground_truth_folders(project);
-  const GroundTruthFolders said = known_truth(project, arguments);
-  return is_same_folder(known.labels, said.labels) && is_same_folder(known.landmarks, said.landmarks);
+// What the project keeps of earlier measuring, unless that was against another truth than is said now.
+template <typename Measure>
+std::vector<Measure> kept(std::vector<Measure> measures, const GroundTruthFolders& said) {
+  const bool answers = std::ranges::all_of(measures, [&](const Measure& each) {
+    return is_as_said(each.truth.labels, said.labels) && is_as_said(each.truth.landmarks, said.landmarks);
+  });
+  return answers ? std::move(measures) : std::vector<Measure>();
 }
 
 Gathered gather(const Project& project, const PlotEntry& entry, const Arguments& arguments,
@@ -96,18 +99,18 @@ Gathered gather(const Project& project, const PlotEntry& entry, const Arguments&
     found.landmarks = evaluate_landmarks(project, needed(arguments.truth.landmarks, "--landmarks", entry),
                                          invocation.threads, control);
   } else if (project.shape_count() > 0 && entry.need == PlotNeed::subsets) {
-    if (keeps_measures(project, arguments)) found.subsets = stored_subset_measures(project);
+    found.subsets = kept(stored_subset_measures(project), arguments.truth);
     const std::vector<PartTemplate> start = learning_start(project);
     if (found.subsets.empty() && !start.empty()) {
       auto measured =
-          measure_subsets(project, start, subset_sizes(project.shape_count()),
-                          known_truth(project, arguments), invocation.seed, invocation.threads, control);
+          measure_subsets(project, start, subset_sizes(project.shape_count()), truth_for(project, arguments),
+                          invocation.seed, invocation.threads, control);
       if (measured) found.subsets = std::move(*measured);
     }
   } else if (project.shape_count() > 0) {
-    if (keeps_measures(project, arguments)) found.starts = stored_start_measures(project);
+    found.starts = kept(stored_start_measures(project), arguments.truth);
     if (found.starts.empty()) {
-      auto measured = measure_suggested_starts(project, known_truth(project, arguments), invocation.seed,
+      auto measured = measure_suggested_starts(project, truth_for(project, arguments), invocation.seed,
                                                invocation.threads, control);
       if (measured) found.starts = std::move(*measured);
     }
@@ -157,8 +160,6 @@ int run_plot(const Arguments& arguments, const Invocation& invocation) {
     store_subset_measures(project, found.subsets);
   if (entry.need == PlotNeed::starts && stored_start_measures(project) != found.starts)
     store_start_measures(project, found.starts);
-  if (entry.need == PlotNeed::subsets || entry.need == PlotNeed::starts)
-    remember_ground_truth(project, known_truth(project, arguments));
   const bool refused = (found.labelling && !found.labelling->refused.empty()) ||
                        (found.landmarks && !found.landmarks->refused.empty());
   return refused ? exit_code::some_refused : exit_code::done;

@@ -35,7 +35,7 @@ struct LearnOptions {
   // A division that leaves fewer than so many on a side has to gain twice as much: four lamps of a kind
   // beside seven and six of others gain 2.4 to 7.5 times what a division has to, nine chairs of one kind
   // divided into five and four 1.2 times.
-  std::size_t sure_cluster = 5;
+  std::size_t smallest_sure_cluster = 5;
 };
 
 }  // namespace archetype

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 
 #include "core/learning/parameter_cost.h"
@@ -134,13 +135,15 @@ bool split_template(const LearnedTemplate& parent, const TemplateMembers& member
   std::ranges::stable_sort(started, std::greater<>{}, gain);
   std::array<std::size_t, 4> taken{};  // by the number of sides
   double most = 0;                     // beyond what is needed
+  const auto share =
+      static_cast<std::size_t>(std::ceil(options.cluster_share * static_cast<double>(members.shapes.size())));
   for (Division& division : started) {
     if (++taken[division.sides()] > followed) continue;
     for (int step = 1; step < divisions && division.balanced(options.smallest_learning_set); ++step) {
       if (!division.advance(fit_options, options, threads, control)) return false;
     }
-    if (!division.balanced(options.smallest_cluster)) continue;
-    const double needed = (division.balanced(options.sure_cluster) ? 1 : 2) * limits.least_gain;
+    if (!division.balanced(std::max(options.smallest_cluster, share))) continue;
+    const double needed = (division.balanced(options.smallest_sure_cluster) ? 1 : 2) * limits.least_gain;
     const double gained = gain(division);
     if (gained - needed <= most) continue;
     most = gained - needed;

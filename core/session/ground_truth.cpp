@@ -1,5 +1,7 @@
 #include "core/session/ground_truth.h"
 
+#include <nlohmann/json.hpp>
+
 namespace archetype {
 namespace {
 
@@ -28,6 +30,17 @@ fs::path folder_of(const Project& project, const char* setting, const char* name
 
 GroundTruthFolders ground_truth_folders(const Project& project) {
   return {folder_of(project, labels_setting, "labels"), folder_of(project, landmarks_setting, "landmarks")};
+}
+
+std::string to_text(const GroundTruthFolders& folders) {
+  const nlohmann::json json{folders.labels.string(), folders.landmarks.string()};
+  return json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+}
+
+GroundTruthFolders ground_truth_from(std::string_view text) {
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  if (!json.is_array() || json.size() != 2 || !json[0].is_string() || !json[1].is_string()) return {};
+  return {json[0].get<std::string>(), json[1].get<std::string>()};
 }
 
 void remember_ground_truth(Project& project, const GroundTruthFolders& folders) {

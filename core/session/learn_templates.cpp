@@ -33,14 +33,14 @@ ContentHash learn_request(const Project& project, const std::vector<PartTemplate
   // Taken apart by position, so that an option which is added there and forgotten here does not compile.
   const auto& [iterations, sample_size, learning_share, tau, smallest_set, means, spreads, spread_factor,
                feature_spread, agreeing_share, divided_share, least_gain, cluster_share, smallest_cluster,
-               sure_cluster] = options;
+               smallest_sure_cluster] = options;
   std::string text = std::to_string(method) + "\n" + fit_state(initial, fit_options).to_hex() + "\n" +
                      std::to_string(seed) + "\n";
   for (const double value :
        {static_cast<double>(iterations), static_cast<double>(sample_size), learning_share, tau,
         static_cast<double>(smallest_set), means, spreads, spread_factor, feature_spread, agreeing_share,
         divided_share, least_gain, cluster_share, static_cast<double>(smallest_cluster),
-        static_cast<double>(sure_cluster)})
+        static_cast<double>(smallest_sure_cluster)})
     text += number_text(value) + "\n";
   const Corrections corrections = project.corrections();
   for (const ShapeRecord& shape : project.shapes()) {

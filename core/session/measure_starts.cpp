@@ -52,6 +52,7 @@ StartMeasure measure_from(const Json& json) {
   measure.energy_after = json.at("energy_after").get<double>();
   measure.before = shares_from(json.at("before"));
   measure.after = shares_from(json.at("after"));
+  measure.truth = ground_truth_from(json.value("truth", ""));  // earlier versions did not say
   return measure;
 }
 
@@ -61,6 +62,7 @@ std::optional<StartMeasure> measure_start(Project& shapes, const PartTemplate& s
                                           unsigned threads, const JobControl& control) {
   StartMeasure measure;
   measure.initial = start;
+  measure.truth = truth;
   if (fit_collection(shapes, {start}, {}, threads, control).cancelled) return std::nullopt;
   measure.energy_before = mean_energy(shapes);
   const auto before = truth_shares(shapes, truth, threads, control);
@@ -126,6 +128,7 @@ void store_start_measures(Project& project, const std::vector<StartMeasure>& mea
     json["energy_after"] = each.energy_after;
     json["before"] = to_json(each.before);
     json["after"] = to_json(each.after);
+    json["truth"] = to_text(each.truth);
     all.push_back(std::move(json));
   }
   project.set_setting(setting_key, all.dump());

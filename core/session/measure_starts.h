@@ -18,6 +18,7 @@ struct StartMeasure {
   double energy_after = 0;   // the same of what was learned
   TruthShares before;
   TruthShares after;
+  GroundTruthFolders truth;  // that these are against
   friend bool operator==(const StartMeasure&, const StartMeasure&) = default;
 };
 

@@ -81,6 +81,7 @@ std::optional<std::vector<SubsetMeasure>> measure_subsets(const Project& project
     if (report.cancelled) return std::nullopt;
     const std::vector<PartTemplate> learned = current_templates(subset).templates;
     SubsetMeasure measure{taken, learned.size(), report.learning_seconds, report.fitting_seconds};
+    measure.truth = truth;
     if (held > 0) {
       if (fit_collection(judging, learned, {}, threads, control).cancelled) return std::nullopt;
       const auto accuracy = truth_shares(judging, truth, threads, control);
@@ -99,7 +100,8 @@ void store_subset_measures(Project& project, const std::vector<SubsetMeasure>& m
     text += std::to_string(each.shapes) + ' ' + std::to_string(each.templates) + ' ' +
             number_text(each.learning_seconds) + ' ' + number_text(each.fitting_seconds) + ' ' +
             std::to_string(each.judging) + ' ' + share_text(each.accuracy.labelling) + ' ' +
-            share_text(each.accuracy.best_labelling) + ' ' + share_text(each.accuracy.correspondence) + '\n';
+            share_text(each.accuracy.best_labelling) + ' ' + share_text(each.accuracy.correspondence) + ' ' +
+            to_text(each.truth) + '\n';
   project.set_setting(setting_key, text);
 }
 
@@ -111,7 +113,7 @@ std::vector<SubsetMeasure> stored_subset_measures(const Project& project) {
     numbers.imbue(std::locale::classic());
     SubsetMeasure each;
     if (!(numbers >> each.shapes >> each.templates >> each.learning_seconds >> each.fitting_seconds)) break;
-    // Earlier versions knew no accuracies.
+    // Earlier versions knew no accuracies, or not against what.
     double labelling = -1;
     double best = -1;
     double correspondence = -1;
@@ -119,6 +121,8 @@ std::vector<SubsetMeasure> stored_subset_measures(const Project& project) {
       each.accuracy = {read_share(labelling), read_share(best), read_share(correspondence)};
     else
       each.judging = 0;
+    std::string truth;
+    if (std::getline(numbers, truth)) each.truth = ground_truth_from(truth);
     measures.push_back(each);
   }
   return measures;

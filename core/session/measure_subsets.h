@@ -21,6 +21,7 @@ struct SubsetMeasure {
   double fitting_seconds = 0;   // for fitting them to all of the shapes and labelling these
   std::size_t judging = 0;      // shapes that no subset holds and `accuracy` is of; 0: without ground truth
   TruthShares accuracy = {};
+  GroundTruthFolders truth = {};  // that was to judge by
   friend bool operator==(const SubsetMeasure&, const SubsetMeasure&) = default;
 };
 

@@ -107,6 +107,15 @@ TEST_CASE("learning from several starts ends with less energy than each began wi
   }
 }
 
+TEST_CASE("ground truth that is stored beside what was measured comes back whatever its name") {
+  const GroundTruthFolders truth{.labels = "/a folder/with \"quotes\"\nand lines", .landmarks = {}};
+  CHECK(to_text(truth).find('\n') == std::string::npos);
+  CHECK(ground_truth_from(to_text(truth)) == truth);
+  CHECK(ground_truth_from(to_text({.labels = "/\xff", .landmarks = "/b"})).landmarks == "/b");
+  for (const char* broken : {"", "[", "[\"/a\"]", "[1, 2]", "{}"})
+    CHECK(ground_truth_from(broken) == GroundTruthFolders{});
+}
+
 TEST_CASE("ground truth is found beside the shapes, and remembered where it was chosen") {
   const ScratchFolder folder;
   Project project = chairs(folder, 1);
