@@ -32,9 +32,8 @@ struct LearnOptions {
   // fewer tells nothing: with 3, benches without a back become a style wherever there are three of them).
   double cluster_share = 0.05;
   std::size_t smallest_cluster = 4;
-  // A division that leaves fewer than so many on a side has to gain twice as much: four lamps of a kind
-  // beside seven and six of others gain 2.4 to 7.5 times what a division has to, nine chairs of one kind
-  // divided into five and four 1.2 times.
+  // A division that leaves fewer than so many on a side has to gain twice as much: four lamps of a kind gain
+  // 2.4 to 7.5 times what a division has to, nine chairs of one kind divided into five and four 1.2 times.
   std::size_t smallest_sure_cluster = 5;
 };
 

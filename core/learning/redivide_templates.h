@@ -20,10 +20,10 @@ namespace archetype {
 // The templates in `split` have the names and what else is known of the two, so that most shapes keep theirs.
 // `gain` is by how much the energy falls against what the members take now: the lesser of that with what all
 // four cost beside what was known before them, and beside the merged one; `agreeing` is still against the
-// merged one. Nothing in `split` if it does not fall, if the
-// two gain nothing over the merged one, if no judging member changes sides (to estimate both
-// anew is no new border), if a side would have fewer than options.smallest_learning_set judging members, or
-// if a part must exist in one template only. False if cancelled. The fits of split_template() with two sides.
+// merged one. Nothing in `split` if it does not fall, if the two gain nothing over the merged one, if no
+// judging member changes sides (to estimate both anew is no new border), if a side would have fewer than
+// options.smallest_learning_set judging members or options.smallest_cluster in all, or if a part must exist
+// in one template only. False if cancelled. The fits of split_template() with two sides.
 bool redivide_templates(const LearnedTemplate& first, const LearnedTemplate& second,
                         const TemplateMembers& members, const Sides& sides, const TemplateMerge& merge,
                         const FitOptions& fit_options, const LearnOptions& options, unsigned threads,
