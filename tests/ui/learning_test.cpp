@@ -358,7 +358,7 @@ TEST_CASE("Templates are learned from the shapes alone, beside those that are th
 
 TEST_CASE("A learning is paused and goes on, from its own panel and from that of the jobs") {
   TestWindow window;
-  window.open_chairs(8);
+  window.open_chairs(6);
   window.make_template();
   window.click("command:learn");
   window.frames(2);
