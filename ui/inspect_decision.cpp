@@ -58,8 +58,8 @@ const FitAlternative* decided_alternative(const Alternatives& alternatives,
   const std::vector<bool> allowed = allowed_by(alternatives, correction);
   std::optional<int> yaw = correction.yaw_quarters;
   if (!yaw && !alternatives.yaw_costs && shape.fit) yaw = shape.fit->fit.yaw_quarters;
-  // fit_template() takes the yaw by the energies that all parts reach together, before it leaves any out or
-  // tries once more.
+  // fit_template() takes the yaw by the energies that the parts reach together, before it leaves any out but
+  // the rarest, or tries once more.
   const auto cost_of_yaw = [&](const FitAlternative& each) {
     const auto quarter = static_cast<std::size_t>(each.fit.yaw_quarters);
     const bool votes = alternatives.yaw_costs && !yaw;

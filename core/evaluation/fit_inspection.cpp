@@ -74,8 +74,7 @@ void add_priors(const Inspected& of, FitInspection& result) {
     const TemplatePart& part = of.part_template.parts[k];
     FitEnergy& energy = result.parts[k];
     const bool present = of.fit.parts[k].present;
-    const double existence = std::clamp(part.existence, 0.01, 0.99);
-    energy.existence = -of.options.existence_weight * std::log(present ? existence : 1 - existence);
+    energy.existence = existence_energy(part, present, of.options);
     if (!present && part.must_exist) energy.existence += missing_must_exist_energy;
     if (present) energy.deformation = of.options.alpha * part_deformation(part, of.boxes[k], of.options);
   }

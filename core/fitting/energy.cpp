@@ -26,6 +26,12 @@ double part_deformation(const TemplatePart& part, const Box& box, const FitOptio
   return sum;
 }
 
+double existence_energy(const TemplatePart& part, bool present, const FitOptions& options) {
+  // A prior of exactly 0 or 1 would forbid what one shape in a hundred does.
+  const double existence = std::clamp(part.existence, 0.01, 0.99);
+  return -options.existence_weight * std::log(present ? existence : 1 - existence);
+}
+
 FitEnergy fit_energy(const MatchedShape& shape, const PartTemplate& part_template, std::span<const Box> boxes,
                      std::span<const double> features, const LabellingGraph& graph,
                      const FitOptions& options) {
@@ -55,9 +61,7 @@ FitEnergy fit_energy(const MatchedShape& shape, const PartTemplate& part_templat
   double to_shape = 0;
   for (std::size_t k = 0; k < parts; ++k) {
     const TemplatePart& part = part_template.parts[k];
-    // A prior of exactly 0 or 1 would forbid what one shape in a hundred does.
-    const double existence = std::clamp(part.existence, 0.01, 0.99);
-    energy.existence -= options.existence_weight * std::log(present[k] ? existence : 1 - existence);
+    energy.existence += existence_energy(part, present[k], options);
     if (!present[k]) {
       if (part.must_exist) energy.existence += missing_must_exist_energy;
       continue;

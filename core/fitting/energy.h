@@ -17,6 +17,9 @@ inline constexpr double missing_must_exist_energy = 1000.0;
 // shape that is stretched as a whole (a bench, from a chair) moves all parts by many deviations at once.
 double part_deformation(const TemplatePart& part, const Box& box, const FitOptions& options);
 
+// What it costs that a part is there, or that it is not; without missing_must_exist_energy.
+double existence_energy(const TemplatePart& part, bool present, const FitOptions& options);
+
 // features: as feature_costs() gives them.
 FitEnergy fit_energy(const MatchedShape& shape, const PartTemplate& part_template, std::span<const Box> boxes,
                      std::span<const double> features, const LabellingGraph& graph,

@@ -22,8 +22,9 @@ struct FitRecording {
 
 // Alternates labelling, correspondences, rigid and deformation steps from each candidate yaw until the labels
 // stop changing, takes the yaw with the least energy, goes on there with round solids in the boxes of parts
-// that are round on this shape (choose_solids.h), and then without the parts that the shape
-// gives no evidence for (evidence.h), one after the other; the energy may rise when a part goes. What is
+// that are round on this shape (choose_solids.h), and then without the parts that the shape gives no evidence
+// for (evidence.h), one after the other; the energy may rise when a part goes. Parts that hardly any shape
+// has go before yaws are compared; ShapeFit::yaw_energies has the yaws that come near without them. What is
 // found so is tried once more from boxes that it carries (starting_boxes.h), and kept if that is better. The
 // template needs at least one part; the samples at least one point. A cancelled fit returns nothing.
 // `recording`, if given, receives the alternations that led to the fit: of the first try or of the second.

@@ -41,9 +41,10 @@ struct ShapeFit {
   std::vector<std::int16_t> labels;  // one per sample: part index, or null_label
   FitEnergy energy;
   int alternations = 0;
-  bool converged = false;                // the labels stopped changing
-  std::array<double, 4> yaw_energies{};  // total energy that each yaw reached with all parts; infinite
-                                         // where not tried
+  bool converged = false;  // the labels stopped changing
+  // Total energy that each yaw reached with all parts, but for parts that hardly any shape has: as if these
+  // were not there. Infinite where not tried.
+  std::array<double, 4> yaw_energies{};
 
   Vec3 to_template(const Vec3& p) const;
   Vec3 to_shape(const Vec3& q) const;

@@ -22,6 +22,13 @@ GenerateOptions plain_chairs() {
   return options;
 }
 
+ShapeSamples turned_samples(ShapeSamples samples, int quarters) {
+  for (Vec3& p : samples.points) p = turn_quarters(p, quarters);
+  for (Vec3& n : samples.normals) n = turn_quarters(n, quarters);
+  if ((quarters & 1) != 0) std::swap(samples.features_x, samples.features_z);
+  return samples;
+}
+
 }  // namespace
 
 TEST_CASE("the energy never rises from one alternation to the next") {
@@ -68,11 +75,7 @@ TEST_CASE("a shape that stands turned by quarters is found so, and labelled alik
   const auto upright = fit_template(part_template, shape.samples, {});
   CHECK(upright->yaw_quarters == 0);
   for (int yaw = 1; yaw < 4; ++yaw) {
-    ShapeSamples turned = shape.samples;
-    for (Vec3& p : turned.points) p = turn_quarters(p, yaw);
-    for (Vec3& n : turned.normals) n = turn_quarters(n, yaw);
-    if ((yaw & 1) != 0) std::swap(turned.features_x, turned.features_z);
-    const auto fit = fit_template(part_template, turned, {});
+    const auto fit = fit_template(part_template, turned_samples(shape.samples, yaw), {});
     CHECK(fit->yaw_quarters == yaw);
     CHECK(fit->labels == upright->labels);
     CHECK(fit->energy.total() == doctest::Approx(upright->energy.total()).epsilon(1e-9));
@@ -174,6 +177,34 @@ TEST_CASE("optional parts stay where a shape has them and go where it lacks them
   CHECK(kept_on_plain >= 16);
   CHECK(2 * dropped_on_plain <= kept_on_plain);
   CHECK(on_armchairs >= 26);
+}
+
+TEST_CASE("a narrow template with parts that hardly any shape has does not turn the shapes") {
+  GenerateOptions with_arms;
+  with_arms.styles = {"arms"};
+  PartTemplate part_template = test::template_from(test::make_shape("chairs", with_arms, 0));
+  const auto& names = family_names("chairs").labels;
+  const auto arm = static_cast<int>(std::find(names.begin(), names.end(), "arm") - names.begin());
+  for (TemplatePart& part : part_template.parts) {
+    part.position.stddev *= 0.4;
+    part.scale.stddev *= 0.4;
+    part.existence = part.label == arm ? 0.01 : 0.99;
+  }
+  for (const bool arms : {false, true}) {
+    for (int i = 1; i <= 8; ++i) {
+      const test::MadeShape shape =
+          test::make_shape("chairs", arms ? with_arms : plain_chairs(), static_cast<std::size_t>(i));
+      CAPTURE(arms);
+      CAPTURE(i);
+      FitRecording recording;
+      const auto fit = fit_template(part_template, turned_samples(shape.samples, i % 4), {}, {}, &recording);
+      REQUIRE(fit);
+      CHECK(fit->yaw_quarters == i % 4);
+      CHECK(std::ranges::min_element(fit->yaw_energies) - fit->yaw_energies.begin() == fit->yaw_quarters);
+      REQUIRE(recording.steps.size() == static_cast<std::size_t>(fit->alternations) + 1);
+      CHECK(recording.steps.back().energy == fit->energy);
+    }
+  }
 }
 
 TEST_CASE("a part whose mean box lies far from it is found from boxes that the first fit carries") {
