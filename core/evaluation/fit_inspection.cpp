@@ -1,9 +1,6 @@
 // The sums of core/fitting/energy.cpp, kept apart.
 #include "core/evaluation/fit_inspection.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/base/error.h"
 #include "core/fitting/correspondence.h"
 #include "core/fitting/energy.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/fitting/choose_solids.h"
@@ -11,6 +12,7 @@
 #include "core/fitting/energy.h"
 #include "core/fitting/evidence.h"
 #include "core/fitting/expected_template.h"
+#include "core/fitting/label_costs.h"
 #include "core/fitting/point_graph.h"
 
 namespace archetype {

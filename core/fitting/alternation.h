@@ -4,13 +4,11 @@
 #include <array>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "core/fitting/alpha_expansion.h"
 #include "core/fitting/correspondence.h"
 #include "core/fitting/fit_options.h"
-#include "core/fitting/label_costs.h"
 #include "core/fitting/pinned_labels.h"
 #include "core/fitting/starting_boxes.h"
 #include "core/fitting/template_surface.h"
@@ -21,8 +19,7 @@
 
 namespace archetype {
 
-// A part that so few shapes have that it says nothing of how a shape stands, unless that gives evidence for
-// it.
+// So few shapes have the part that it should not tell how one stands; never if it must exist.
 bool is_exceptional(const TemplatePart& part);
 
 // One yaw on its way.
@@ -41,8 +38,8 @@ struct Alternation {
 };
 
 // What stays the same over yaws and alternations: one template on its way to one shape. The constructors
-// throw PreconditionError without parts or samples, or if a sample is pinned that is not there. graph:
-// make_point_graph(samples, options). Refers to the samples, the options and the pinned labels.
+// throw PreconditionError without parts or samples, or if a sample is pinned that is not there, or to no
+// part. graph: make_point_graph(samples, options). Refers to the samples, the options and the pinned labels.
 class Fitter {
  public:
   Fitter(const PartTemplate& part_template, const ShapeSamples& samples, const FitOptions& options,

@@ -24,9 +24,10 @@ struct FitRecording {
 // stop changing, takes the yaw with the least energy, goes on there with round solids in the boxes of parts
 // that are round on this shape (choose_solids.h), and then without the parts that the shape gives no evidence
 // for (evidence.h), one after the other; the energy may rise when a part goes. Parts that hardly any shape
-// has go before yaws are compared; ShapeFit::yaw_energies has the yaws that come near without them. What is
-// found so is tried once more from boxes that it carries (starting_boxes.h), and kept if that is better. The
-// template needs at least one part; the samples at least one point. A cancelled fit returns nothing.
+// has go before yaws are compared, where they come near the best, if this one gives no evidence for them; and
+// that they are there costs nothing then. What is found so is tried once more from boxes that it carries
+// (starting_boxes.h), and kept if that is better. The template needs at least one part; the samples at least
+// one point. A cancelled fit returns nothing.
 // `recording`, if given, receives the alternations that led to the fit: of the first try or of the second.
 // Samples of `pinned` (pinned_labels.h) keep their labels, and their parts are not dropped. Deterministic;
 // about 40 ms for 1,000 samples, 8 parts and 4 yaws.

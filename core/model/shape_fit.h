@@ -42,8 +42,8 @@ struct ShapeFit {
   FitEnergy energy;
   int alternations = 0;
   bool converged = false;  // the labels stopped changing
-  // Total energy that each yaw reached with all parts, but for parts that hardly any shape has: as if these
-  // were not there. Infinite where not tried.
+  // Total energy that each yaw reached before parts without evidence were left out, but for those that hardly
+  // any shape has (fit_template.h). Infinite where not tried.
   std::array<double, 4> yaw_energies{};
 
   Vec3 to_template(const Vec3& p) const;
