@@ -81,9 +81,9 @@ void draw_yaws(Studio& studio, const ShapeFit& fit) {
   muted_text(studio, "Yaw");
   tooltip(
       "The total energy that each quarter turn about up reached with all parts as boxes, but for what the "
-      "template says hardly any shape has; the least decides. "
-      "That fit then takes round parts, leaves out what the shape lacks, and is tried once more, so that the "
-      "number above may be another. With \"lacks\" a part that must exist was not found.");
+      "template says hardly any shape has; the least decides. That fit then takes round parts, leaves out "
+      "what the shape lacks, and is tried once more, so that the number above may be another. With \"lacks\" "
+      "a part that must exist was not found.");
   const float indent = 48 * studio.fonts.scale;
   const float room = ImGui::GetContentRegionAvail().x - indent;
   ImGui::PushFont(studio.fonts.small);

@@ -188,8 +188,8 @@ TEST_CASE("a template that no shape takes is dropped, unless some shape of the c
 TEST_CASE("progress counts the fits, of no more than it says, and comes near to the end") {
   std::vector<ShapeSamples> shapes;
   add_chairs(shapes, "plain", 4, points);
-  add_chairs(shapes, "bench", 3,
-             points);  // too few to be divided, which is planned and then need not be done
+  // Seven are too few to be divided; a division is planned, and may end early.
+  add_chairs(shapes, "bench", 3, points);
   std::size_t last = 0;
   std::size_t total = 0;
   bool rising = true;
