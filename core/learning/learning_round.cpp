@@ -42,20 +42,22 @@ RoundInProgress::RoundInProgress(std::span<const LearnedTemplate> templates,
 }
 
 std::optional<LearningRound> RoundInProgress::run() {
-  planned_ = result_.templates.size() * (2 * judging_ + shapes_.size()) + fits_of_division * shapes_.size();
+  planned_ = result_.templates.size() * (judging_ + shapes_.size()) + fits_of_updates(families()) +
+             fits_of_division * shapes_.size();
   if (!fit_all()) return std::nullopt;
   result_.energy_before = mean_energy();
   const std::size_t count = result_.templates.size();
-  for (std::size_t t = 0; t < count; ++t) {
-    plan((count - t) * judging_, 0);
-    if (!try_update(t)) return std::nullopt;
+  const auto all_families = families();
+  for (auto family = all_families.begin(); family != all_families.end(); ++family) {
+    plan(fits_of_updates({family, all_families.end()}), 0);
+    if (!(family->size() == 1 ? try_update(family->front()) : try_siblings(*family))) return std::nullopt;
   }
   // A template that still moves would only spawn what it is about to become.
   for (std::size_t t = 0; t < count; ++t) {
     plan(0, t);
     if (!result_.origins[t].changed && !try_split(t)) return std::nullopt;
   }
-  if (!try_pairs()) return std::nullopt;
+  if (!try_merges()) return std::nullopt;
   drop_unused();
   result_.energy = mean_energy();
   for (std::size_t i = 0; i < judging_; ++i) result_.taken.push_back(taken_[i].part_template);
@@ -113,6 +115,13 @@ void RoundInProgress::plan(std::size_t fits, std::size_t first) {
     if (divided) fits += fits_of_division * members;
   }
   planned_ = fitted_ + fits;
+}
+
+std::size_t RoundInProgress::fits_of_updates(std::span<const std::vector<std::size_t>> some) const {
+  std::size_t fits = 0;
+  for (const auto& family : some)
+    fits += family.size() == 1 ? judging_ : steps_of_siblings * family.size() * shapes_.size();
+  return fits;
 }
 
 bool RoundInProgress::fit_all() {

@@ -1,6 +1,7 @@
 // The opposite of a division.
 #include "core/learning/merge_templates.h"
 
+#include "core/learning/estimate_siblings.h"
 #include "core/learning/parameter_cost.h"
 
 namespace archetype {
@@ -9,14 +10,6 @@ namespace {
 
 constexpr int steps = 2;
 
-bool same_parts(const PartTemplate& a, const PartTemplate& b) {
-  if (a.parts.size() != b.parts.size()) return false;
-  for (std::size_t k = 0; k < a.parts.size(); ++k) {
-    if (a.parts[k].name != b.parts[k].name || a.parts[k].label != b.parts[k].label) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 bool merge_templates(const LearnedTemplate& first, const LearnedTemplate& second,
@@ -24,7 +17,7 @@ bool merge_templates(const LearnedTemplate& first, const LearnedTemplate& second
                      const LearnOptions& options, unsigned threads, const JobControl& control,
                      std::optional<TemplateMerge>& merge) {
   merge.reset();
-  if (!same_parts(first.part_template, second.part_template)) return true;
+  if (!are_siblings(first.part_template, second.part_template)) return true;
   std::size_t of_second = 0;
   for (std::size_t i = 0; i < members.judging; ++i) of_second += sides[i];
   if (of_second == 0 || of_second == members.judging) return true;

@@ -1,25 +1,14 @@
-// What changes the number of templates, and the borders between them.
+// What changes the number of templates.
 #include <algorithm>
-#include <array>
-#include <functional>
 #include <iterator>
 #include <set>
 
 #include "core/learning/child_name.h"
-#include "core/learning/redivide_templates.h"
+#include "core/learning/merge_templates.h"
 #include "core/learning/round_in_progress.h"
 #include "core/learning/split_template.h"
 
 namespace archetype {
-
-namespace {
-
-// Two templates are near each other if the shapes would lose less than so many times what a division has to
-// gain, were they one. (Of 36 chairs with a border in the wrong place they lost 0.9 and 3.2 times as much;
-// those of two kinds lose 4 to 15 times.)
-constexpr double near_loss = 4;
-
-}  // namespace
 
 bool RoundInProgress::try_split(std::size_t t) {
   const auto [indices, members] =
@@ -31,7 +20,7 @@ bool RoundInProgress::try_split(std::size_t t) {
   std::optional<TemplateSplit> split;
   const double least_gain = options_.least_division_gain * static_cast<double>(judging_);
   if (!split_template(result_.templates[t], members, fit_options_, options_, threads_, counted_, split,
-                      {.least_gain = least_gain}))
+                      least_gain))
     return false;
   const double needed = options_.divided_share * static_cast<double>(members.judging);
   if (!split || static_cast<double>(split->agreeing) < needed) return true;
@@ -51,27 +40,14 @@ bool RoundInProgress::try_split(std::size_t t) {
   return see_pinned_again(t);
 }
 
-bool RoundInProgress::try_pairs() {
+bool RoundInProgress::try_merges() {
   if (std::ranges::any_of(result_.origins, &TemplateOrigin::changed)) return true;
   const std::size_t count = result_.templates.size();
   planned_ = fitted_ + 2 * (count - 1) * shapes_.size();
-  std::vector<NearPair> near;
   for (std::size_t a = 0; a < count; ++a) {
     for (std::size_t b = a + 1; b < count; ++b) {
-      if (!try_merge(a, b, near)) return false;
+      if (!try_merge(a, b)) return false;
     }
-  }
-  std::erase_if(near, [this](const NearPair& pair) { return !may_be_redivided(pair); });
-  std::ranges::stable_sort(near, std::greater<>{}, [](const NearPair& pair) { return pair.merge.gain; });
-  std::vector<bool> has_nearest(count, false);
-  std::erase_if(near, [&](const NearPair& pair) {
-    const bool nearest = !has_nearest[pair.first] || !has_nearest[pair.second];
-    has_nearest[pair.first] = has_nearest[pair.second] = true;
-    return !nearest;
-  });
-  for (const NearPair& pair : near) planned_ += fits_of_division * pair.sides.size();
-  for (const NearPair& pair : near) {
-    if (may_be_redivided(pair) && !try_redivision(pair)) return false;
   }
   return true;
 }
@@ -92,54 +68,17 @@ RoundInProgress::Chosen RoundInProgress::members_of(const std::function<bool(std
   return chosen;
 }
 
-RoundInProgress::Chosen RoundInProgress::members_of_either(std::size_t a, std::size_t b) const {
-  return members_of(
-      [&](std::size_t i) { return taken_[i].part_template == a || taken_[i].part_template == b; });
-}
-
-bool RoundInProgress::may_be_redivided(const NearPair& pair) const {
-  if (any_changed(pair.first, pair.second)) return false;
-  for (const std::size_t t : {pair.first, pair.second}) {
-    if (result_.templates[t].pinned) return false;
-    for (std::size_t i = 0; i < shapes_.size(); ++i)
-      if (is_pinned_to(i, t)) return false;
-  }
-  return true;
-}
-
-bool RoundInProgress::try_redivision(const NearPair& pair) {
-  const auto& [a, b, sides, merge] = pair;
-  const auto [indices, members] = members_of_either(a, b);
-  std::optional<TemplateSplit> split;
-  if (!redivide_templates(result_.templates[a], result_.templates[b], members, sides, merge, fit_options_,
-                          options_, threads_, counted_, split))
-    return false;
-  if (!split || split->gain <= smallest_gain * static_cast<double>(members.judging)) return true;
-  const std::array both{a, b};
-  for (std::size_t side = 0; side < 2; ++side) {
-    result_.templates[both[side]] = std::move(split->templates[side]);
-    result_.origins[both[side]].changed = true;
-  }
-  for (std::size_t m = 0; m < indices.size(); ++m)
-    taken_[indices[m]] = {both[split->sides[m]], std::move(split->seen[m])};
-  return true;
-}
-
-bool RoundInProgress::try_merge(std::size_t a, std::size_t b, std::vector<NearPair>& near) {
+bool RoundInProgress::try_merge(std::size_t a, std::size_t b) {
   if (any_changed(a, b) || result_.templates[b].pinned) return true;
-  const auto [indices, members] = members_of_either(a, b);
+  const auto [indices, members] =
+      members_of([&](std::size_t i) { return taken_[i].part_template == a || taken_[i].part_template == b; });
   Sides sides;
   for (const std::size_t i : indices) sides.push_back(taken_[i].part_template == b ? 1 : 0);
   std::optional<TemplateMerge> merge;
   if (!merge_templates(result_.templates[a], result_.templates[b], members, sides, fit_options_, options_,
                        threads_, counted_, merge))
     return false;
-  if (!merge) return true;
-  if (merge->gain <= smallest_gain * static_cast<double>(members.judging)) {
-    if (-merge->gain < near_loss * options_.least_division_gain * static_cast<double>(judging_))
-      near.push_back({a, b, std::move(sides), std::move(*merge)});
-    return true;
-  }
+  if (!merge || merge->gain <= smallest_gain * static_cast<double>(members.judging)) return true;
   result_.templates[a].part_template = std::move(merge->part_template);
   // It would only be divided again as it was.
   const auto judges = std::span(indices).first(members.judging);

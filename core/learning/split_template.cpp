@@ -117,8 +117,7 @@ std::optional<double> gain_of_whole(const LearnedTemplate& parent, const Templat
 
 bool split_template(const LearnedTemplate& parent, const TemplateMembers& members,
                     const FitOptions& fit_options, const LearnOptions& options, unsigned threads,
-                    const JobControl& control, std::optional<TemplateSplit>& split,
-                    const SplitLimits& limits) {
+                    const JobControl& control, std::optional<TemplateSplit>& split, double least_gain) {
   split.reset();
   // What the same estimate gains without any division is no reason for one.
   std::optional<double> without = gain_of_whole(parent, members, fit_options, options, threads, control);
@@ -127,7 +126,6 @@ bool split_template(const LearnedTemplate& parent, const TemplateMembers& member
   const auto gain = [&](const Division& division) { return division.gain(fit_options, options) - *without; };
   std::vector<Division> started;
   for (SplitProposal& proposal : split_proposals(parent, members, options)) {
-    if (proposal.templates.size() > limits.most_sides) continue;
     Division division(parent, std::move(proposal), members);
     if (!division.advance(fit_options, options, threads, control)) return false;
     if (division.balanced(options.smallest_learning_set)) started.push_back(std::move(division));
@@ -143,7 +141,7 @@ bool split_template(const LearnedTemplate& parent, const TemplateMembers& member
       if (!division.advance(fit_options, options, threads, control)) return false;
     }
     if (!division.balanced(std::max(options.smallest_cluster, share))) continue;
-    const double needed = (division.balanced(options.smallest_sure_cluster) ? 1 : 2) * limits.least_gain;
+    const double needed = (division.balanced(options.smallest_sure_cluster) ? 1 : 2) * least_gain;
     const double gained = gain(division);
     if (gained - needed <= most) continue;
     most = gained - needed;

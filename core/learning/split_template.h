@@ -21,23 +21,17 @@ struct TemplateSplit {
   std::size_t agreeing = 0;
 };
 
-struct SplitLimits {
-  // A division has to gain more than this, and more than twice this if a side has fewer than
-  // options.smallest_sure_cluster members.
-  double least_gain = 0;
-  std::size_t most_sides = 3;  // 2 for divisions in two only
-};
-
 // Divides the members as that proposal does that gains most beyond what it has to, some times over: each
 // shape takes the template with the least choice energy, and all are estimated anew from those that take
 // them. What was learned before is what is known then. Nothing in `split` if no proposal gains enough and
-// keeps options.smallest_cluster shapes and options.cluster_share of all on each side. The templates have the
-// parent's name and parts, those that none of its shapes has with a small existence. False if cancelled.
-// About 2.4 x (proposals + 16) fits a member. Differs from the paper, whose spawned template is what its
-// cluster says once, and may lose parts: a vase with handles then takes the template of those without.
+// keeps options.smallest_cluster shapes and options.cluster_share of all on each side; enough is more than
+// `least_gain`, and twice that where a side has fewer than options.smallest_sure_cluster members. The
+// templates have the parent's name and parts, those that none of its shapes has with a small existence. False
+// if cancelled. About 2.4 x (proposals + 16) fits a member. Differs from the paper, whose spawned template is
+// what its cluster says once, and may lose parts: a vase with handles then takes the template of those
+// without.
 bool split_template(const LearnedTemplate& parent, const TemplateMembers& members,
                     const FitOptions& fit_options, const LearnOptions& options, unsigned threads,
-                    const JobControl& control, std::optional<TemplateSplit>& split,
-                    const SplitLimits& limits = {});
+                    const JobControl& control, std::optional<TemplateSplit>& split, double least_gain = 0);
 
 }  // namespace archetype

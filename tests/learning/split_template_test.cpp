@@ -96,7 +96,7 @@ TEST_CASE("what leaves few shapes on a side has to gain twice as much, and none 
   LearnOptions options;
   const auto split = [&](double least_gain) {
     std::optional<TemplateSplit> result;
-    REQUIRE(split_template(given.parent, members, {}, options, 2, {}, result, {.least_gain = least_gain}));
+    REQUIRE(split_template(given.parent, members, {}, options, 2, {}, result, least_gain));
     return result;
   };
   const auto is_by_kind = [](const std::optional<TemplateSplit>& each) {

@@ -1,0 +1,28 @@
+// New parameters of all templates of a family at once.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/learning/learn_options.h"
+#include "core/learning/reestimate.h"
+#include "core/learning/split_proposals.h"
+
+namespace archetype {
+
+// Whether two have the same parts: their names and labels, in the same order.
+bool are_siblings(const PartTemplate& a, const PartTemplate& b);
+
+// The templates `siblings`, which all have the same parts, each with means and spreads of its own shapes
+// (`observed`: by template, by shape, by part). What is known of its spreads beforehand is what the shapes of
+// all siblings say together, each shape of the mean of its own template; of that in turn, what was known is
+// the widest that any of them knew. The results know these spreads as their initial ones. A template with
+// fewer than options.smallest_learning_set shapes stays as it is. Differs from the paper, which estimates
+// each alone: with seven to nine shapes the prior says most of what a template expects, that of a second
+// division knows the narrow spreads of its parent and that of a first one the wide ones of the collection,
+// and the narrow one draws shapes of other kinds to it, the more so the more it has.
+std::vector<LearnedTemplate> estimate_siblings(
+    std::span<const LearnedTemplate> siblings,
+    std::span<const std::vector<std::vector<PartObservation>>> observed, const LearnOptions& options);
+
+}  // namespace archetype
