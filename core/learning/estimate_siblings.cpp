@@ -2,6 +2,7 @@
 #include "core/learning/estimate_siblings.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace archetype {
 
@@ -9,7 +10,8 @@ namespace {
 
 using Observed = std::vector<std::vector<PartObservation>>;
 
-// Each part about its mean over the shapes that have it.
+// Each part about its mean over the shapes that have it, and further from it by what that mean has taken of
+// their scatter. What one shape has alone says nothing of spreads.
 Observed centred(Observed shapes) {
   for (std::size_t k = 0; !shapes.empty() && k < shapes.front().size(); ++k) {
     Vec3 centre = Vec3::Zero();
@@ -21,24 +23,28 @@ Observed centred(Observed shapes) {
       half_extent += parts[k].box.half_extent;
       having += 1;
     }
+    const double wider = having > 1 ? std::sqrt(having / (having - 1)) : 0;
     for (auto& parts : shapes) {
-      if (!parts[k].present) continue;
-      parts[k].box.centre -= centre / having;
-      parts[k].box.half_extent -= half_extent / having;
+      PartObservation& part = parts[k];
+      if (!part.present) continue;
+      part.box.centre = wider * (part.box.centre - centre / having);
+      part.box.half_extent = wider * (part.box.half_extent - half_extent / having);
+      part.present = having > 1;
     }
   }
   return shapes;
 }
 
-// About nothing, and as wide as the widest of what was known.
-PartTemplate widest(std::span<const LearnedTemplate> siblings) {
-  PartTemplate result = siblings.front().initial;
+// About nothing, and as wide as any of these was known to be. Only its spreads are of use.
+PartTemplate widest(const std::vector<const LearnedTemplate*>& siblings) {
+  PartTemplate result = siblings.front()->initial;
   for (std::size_t k = 0; k < result.parts.size(); ++k) {
     TemplatePart& part = result.parts[k];
     part.position.mean.setZero();
     part.scale.mean.setZero();
-    for (const LearnedTemplate& each : siblings) {
-      const TemplatePart& known = each.initial.parts[k];
+    part.has_features = true;  // none are to be expected of boxes without a size
+    for (const LearnedTemplate* each : siblings) {
+      const TemplatePart& known = each->initial.parts[k];
       part.position.stddev = part.position.stddev.cwiseMax(known.position.stddev);
       part.scale.stddev = part.scale.stddev.cwiseMax(known.scale.stddev);
     }
@@ -57,13 +63,17 @@ bool are_siblings(const PartTemplate& a, const PartTemplate& b) {
 std::vector<LearnedTemplate> estimate_siblings(std::span<const LearnedTemplate> siblings,
                                                std::span<const Observed> observed,
                                                const LearnOptions& options) {
-  Observed all;
-  for (const Observed& each : observed) {
-    for (auto& shape : centred(each)) all.push_back(std::move(shape));
-  }
-  const PartTemplate common = reestimate(widest(siblings), all, options);
   std::vector<LearnedTemplate> result(siblings.begin(), siblings.end());
-  for (std::size_t t = 0; t < result.size(); ++t) {
+  std::vector<const LearnedTemplate*> taught;
+  Observed all;
+  for (std::size_t t = 0; t < siblings.size(); ++t) {
+    if (observed[t].size() < options.smallest_learning_set) continue;
+    taught.push_back(&siblings[t]);
+    for (auto& shape : centred(observed[t])) all.push_back(std::move(shape));
+  }
+  if (taught.empty()) return result;
+  const PartTemplate common = reestimate(widest(taught), all, options);
+  for (std::size_t t = 0; t < siblings.size(); ++t) {
     if (observed[t].size() < options.smallest_learning_set) continue;
     LearnedTemplate& each = result[t];
     const PartTemplate alone = reestimate(each.initial, observed[t], options);

@@ -9,18 +9,20 @@ struct LearnOptions {
   int iterations = 10;           // N_iter: at most this many
   std::size_t sample_size = 50;  // K_L: shapes that judge every iteration, and as many that change with it
   // A shape is learned from if its energy is among the least of its template's, up to this share, and at most
-  // tau times the least one. Differs from the paper, whose thresholds of 75 and 150 have an unknown unit.
+  // tau times the least one. Differs from the paper, whose thresholds of 75 and 150 have an unknown unit. The
+  // share is that of a template without siblings; those that have some are learned from all others.
   double learning_share = 0.7;
   double tau = 4;
   std::size_t smallest_learning_set = 3;  // fewer teach a template nothing
-  // What was known before any shape was seen counts as much as this many shapes. Differs from the paper,
-  // which has no prior: parts that few shapes have shrink to what the first fits made of them.
+  // What was known before the shapes of a template were seen counts as much as this many shapes. Differs from
+  // the paper, which has no prior: parts that few shapes have shrink to what the first fits made of them.
   double prior_shapes_of_means = 2;
   double prior_shapes_of_spreads = 8;
   double smallest_spread_factor = 0.02;  // of the prior variances, see reestimate()
   double smallest_feature_spread = 0.25;
   // New parameters are taken if so many of the shapes fit better with them. Differs from the paper, which
-  // takes whatever it finds: on vases the mean energy fell while half of the parts went astray.
+  // takes whatever it finds: on vases the mean energy fell while half of the parts went astray. (Of a
+  // template without siblings; those that have some are estimated together, and the energy decides.)
   double agreeing_share = 0.9;
   // A division is taken if so many fit better: of 16 chairs, 14 fit clearly better divided by their backs.
   double divided_share = 0.8;

@@ -1,4 +1,5 @@
-// Fits, votes on yaws, and new estimates; the divisions are in round_divisions.cpp.
+// Fits, votes on yaws, and new estimates; siblings are in round_siblings.cpp, divisions in
+// round_divisions.cpp.
 #include "core/learning/learning_round.h"
 
 #include <algorithm>
@@ -117,9 +118,9 @@ void RoundInProgress::plan(std::size_t fits, std::size_t first) {
   planned_ = fitted_ + fits;
 }
 
-std::size_t RoundInProgress::fits_of_updates(std::span<const std::vector<std::size_t>> some) const {
+std::size_t RoundInProgress::fits_of_updates(std::span<const std::vector<std::size_t>> families) const {
   std::size_t fits = 0;
-  for (const auto& family : some)
+  for (const auto& family : families)
     fits += family.size() == 1 ? judging_ : steps_of_siblings * family.size() * shapes_.size();
   return fits;
 }

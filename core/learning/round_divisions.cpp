@@ -52,10 +52,6 @@ bool RoundInProgress::try_merges() {
   return true;
 }
 
-bool RoundInProgress::any_changed(std::size_t a, std::size_t b) const {
-  return result_.origins[a].changed || result_.origins[b].changed;
-}
-
 RoundInProgress::Chosen RoundInProgress::members_of(const std::function<bool(std::size_t)>& is_member) const {
   Chosen chosen;
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
@@ -69,7 +65,7 @@ RoundInProgress::Chosen RoundInProgress::members_of(const std::function<bool(std
 }
 
 bool RoundInProgress::try_merge(std::size_t a, std::size_t b) {
-  if (any_changed(a, b) || result_.templates[b].pinned) return true;
+  if (result_.origins[a].changed || result_.origins[b].changed || result_.templates[b].pinned) return true;
   const auto [indices, members] =
       members_of([&](std::size_t i) { return taken_[i].part_template == a || taken_[i].part_template == b; });
   Sides sides;

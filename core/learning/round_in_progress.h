@@ -1,6 +1,5 @@
 // A round of learning while it is under way: learning_round.cpp fits the templates and estimates them anew,
-// round_siblings.cpp does so with those that
-// have the same parts, round_divisions.cpp divides and joins them.
+// round_siblings.cpp those that have the same parts together, round_divisions.cpp divides and joins them.
 #pragma once
 
 #include <array>
@@ -36,7 +35,9 @@ class RoundInProgress {
   static constexpr double smallest_gain = 1e-3;
   // That a division costs for each member, rather too many than too few: for the progress.
   static constexpr std::size_t fits_of_division = 100;
-  static constexpr std::size_t steps_of_siblings = 4;  // most often, for the progress too
+  // So often at most are siblings estimated one time after the other, and so often mostly.
+  static constexpr int most_steps = 8;
+  static constexpr std::size_t steps_of_siblings = 4;
   // What a shape says of the template that it takes.
   struct Taken {
     std::size_t part_template = 0;
@@ -49,8 +50,8 @@ class RoundInProgress {
   // Templates that have the same parts, and all shapes that take one of them.
   struct Family {
     std::vector<LearnedTemplate> templates;
-    Sides sides;                 // by shape
-    std::vector<Sighting> seen;  // by it
+    Sides sides;                 // by shape: which of them it takes
+    std::vector<Sighting> seen;  // by shape: what it says of that one
   };
 
   std::optional<int> known_yaw(std::size_t shape) const;
@@ -78,16 +79,19 @@ class RoundInProgress {
   bool try_update(std::size_t t);
   // All templates, those that have the same parts together.
   std::vector<std::vector<std::size_t>> families() const;
-  std::size_t fits_of_updates(std::span<const std::vector<std::size_t>> some) const;
+  // At most, for the progress.
+  std::size_t fits_of_updates(std::span<const std::vector<std::size_t>> families) const;
   // Estimates `siblings` together from all shapes that take them, and lets these choose anew, until that
   // gains less than the time before. Differs from the paper, which learns from the best fits: of nine chairs
   // the best six make all spreads wider, as fewer say less against what was known.
   bool try_siblings(const std::vector<std::size_t>& siblings);
-  // One such step. False if cancelled.
-  bool estimate(Family& family, const std::vector<std::size_t>& siblings, const Chosen& chosen);
+  // Its templates from what its shapes say of them now, except those that fit badly. Takes the observations.
+  void estimate_together(Family& family, const std::vector<std::size_t>& indices) const;
+  // The best of the family for each of its shapes. Throws NumericError as take_best() does.
+  bool choose_again(Family& family, const std::vector<std::size_t>& siblings, const Chosen& chosen);
   // Of its judging shapes, the first ones, with what the templates cost beside `known`, or each beside its
   // own initial one.
-  double energy(const Family& family, std::size_t judging, const PartTemplate* known) const;
+  double family_energy(const Family& family, std::size_t judging, const PartTemplate* known) const;
   // Others may have taken all shapes of a template.
   void drop_unused();
 
@@ -103,7 +107,6 @@ class RoundInProgress {
   // As many others as make no other cluster make no other division: it would be most of a round's work to
   // find that again.
   bool about_undivided(std::span<const std::size_t> undivided, std::span<const std::size_t> judges) const;
-  bool any_changed(std::size_t a, std::size_t b) const;
   Chosen members_of(const std::function<bool(std::size_t)>& is_member) const;
   std::string free_name(const std::string& parent) const;
 

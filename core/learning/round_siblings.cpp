@@ -1,19 +1,15 @@
 // Templates that have the same parts are estimated together, and their shapes choose anew.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
+#include "core/base/error.h"
 #include "core/learning/estimate_siblings.h"
 #include "core/learning/parameter_cost.h"
 #include "core/learning/round_in_progress.h"
 
 namespace archetype {
-
-namespace {
-
-constexpr int most_steps = 8;
-
-}  // namespace
 
 std::vector<std::vector<std::size_t>> RoundInProgress::families() const {
   std::vector<std::vector<std::size_t>> result;
@@ -31,7 +27,8 @@ std::vector<std::vector<std::size_t>> RoundInProgress::families() const {
   return result;
 }
 
-double RoundInProgress::energy(const Family& family, std::size_t judging, const PartTemplate* known) const {
+double RoundInProgress::family_energy(const Family& family, std::size_t judging,
+                                      const PartTemplate* known) const {
   double sum = 0;
   std::vector<std::size_t> counts(family.templates.size(), 0);
   for (std::size_t m = 0; m < judging; ++m) {
@@ -46,13 +43,22 @@ double RoundInProgress::energy(const Family& family, std::size_t judging, const 
   return sum;
 }
 
-bool RoundInProgress::estimate(Family& family, const std::vector<std::size_t>& siblings,
-                               const Chosen& chosen) {
-  std::vector<std::vector<std::vector<PartObservation>>> observed(siblings.size());
-  for (std::size_t m = 0; m < family.seen.size(); ++m)
-    observed[family.sides[m]].push_back(std::move(family.seen[m].parts));
+void RoundInProgress::estimate_together(Family& family, const std::vector<std::size_t>& indices) const {
+  std::vector<double> least(family.templates.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t m = 0; m < indices.size(); ++m)
+    least[family.sides[m]] = std::min(least[family.sides[m]], family.seen[m].energy);
+  std::vector<std::vector<std::vector<PartObservation>>> observed(family.templates.size());
+  for (std::size_t m = 0; m < indices.size(); ++m) {
+    const std::size_t side = family.sides[m];
+    if (family.seen[m].energy <= options_.tau * least[side] || must_learn(indices[m]))
+      observed[side].push_back(std::move(family.seen[m].parts));
+  }
   family.templates = estimate_siblings(family.templates, observed, options_);
-  family.seen.assign(family.seen.size(), {});
+}
+
+bool RoundInProgress::choose_again(Family& family, const std::vector<std::size_t>& siblings,
+                                   const Chosen& chosen) {
+  family.seen.assign(chosen.indices.size(), {});
   for (std::size_t t = 0; t < siblings.size(); ++t) {
     auto seen =
         sightings(family.templates[t].part_template, chosen.members.shapes, fit_options_, threads_, counted_);
@@ -63,6 +69,8 @@ bool RoundInProgress::estimate(Family& family, const std::vector<std::size_t>& s
       family.seen[m] = std::move((*seen)[m]);
     }
   }
+  for (const Sighting& each : family.seen)
+    if (!std::isfinite(each.choice)) throw NumericError("a shape has a fit of no finite energy");
   return true;
 }
 
@@ -70,40 +78,42 @@ bool RoundInProgress::try_siblings(const std::vector<std::size_t>& siblings) {
   const auto place = [&](std::size_t t) { return std::ranges::find(siblings, t) - siblings.begin(); };
   const Chosen chosen = members_of(
       [&](std::size_t i) { return std::ranges::find(siblings, taken_[i].part_template) != siblings.end(); });
+  const std::size_t judging = chosen.members.judging;
+  if (judging == 0) return true;
   Family now;
   for (const std::size_t t : siblings) now.templates.push_back(result_.templates[t]);
   for (const std::size_t i : chosen.indices)
     now.sides.push_back(static_cast<std::size_t>(place(taken_[i].part_template)));
   now.seen = chosen.members.seen;
 
+  // Beside what was known of each, and beside what all their shapes say as one, without which any would be
+  // better than those that were there: they are drawn to where their own shapes are.
   std::vector<std::vector<PartObservation>> all;
   for (const Sighting& each : now.seen) all.push_back(each.parts);
   const PartTemplate whole = reestimate(now.templates.front().initial, all, options_);
   const auto energies = [&](const Family& family) {
-    return std::array{energy(family, chosen.members.judging, nullptr),
-                      energy(family, chosen.members.judging, &whole)};
+    return std::array{family_energy(family, judging, nullptr), family_energy(family, judging, &whole)};
   };
-  const auto before = energies(now);
-  double most = smallest_gain * static_cast<double>(chosen.members.judging);
-  double last = -std::numeric_limits<double>::infinity();
-  std::optional<Family> best;
+  const auto known_energies = energies(now);
+  double gained = 0;
+  Family best;
   for (int step = 0; step < most_steps; ++step) {
-    if (!estimate(now, siblings, chosen)) return false;
+    estimate_together(now, chosen.indices);
+    if (!choose_again(now, siblings, chosen)) return false;
     const auto after = energies(now);
-    const double gain = std::min(before[0] - after[0], before[1] - after[1]);
-    if (gain <= last) break;
-    last = gain;
-    if (gain <= most) continue;
-    most = gain;
+    const double gain = std::min(known_energies[0] - after[0], known_energies[1] - after[1]);
+    if (step > 0 && !(gain > gained)) break;
+    gained = gain;
     best = now;
   }
-  if (!best) return true;
+  if (!(gained > smallest_gain * static_cast<double>(judging))) return true;
   for (std::size_t t = 0; t < siblings.size(); ++t) {
-    result_.templates[siblings[t]] = std::move(best->templates[t]);
-    result_.origins[siblings[t]].changed = true;
+    const std::size_t own = siblings[t];
+    result_.origins[own].changed = best.templates[t].part_template != result_.templates[own].part_template;
+    result_.templates[own] = std::move(best.templates[t]);
   }
   for (std::size_t m = 0; m < chosen.indices.size(); ++m)
-    taken_[chosen.indices[m]] = {siblings[best->sides[m]], std::move(best->seen[m])};
+    taken_[chosen.indices[m]] = {siblings[best.sides[m]], std::move(best.seen[m])};
   return true;
 }
 

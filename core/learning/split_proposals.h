@@ -12,7 +12,9 @@ namespace archetype {
 
 struct LearnedTemplate {
   PartTemplate part_template;
-  PartTemplate initial;  // what learning or its division began with: the prior; has the same parts
+  // The prior, which has the same parts: what learning began with, its division, or its last estimate with
+  // its siblings.
+  PartTemplate initial;
   // The judging shapes, ascending, whose division was tried last and gained too little, or that were merged;
   // empty where neither was done since the template changed.
   std::vector<std::size_t> undivided = {};

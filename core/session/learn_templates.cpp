@@ -24,7 +24,7 @@ namespace {
 
 // Another one where the same request leads to other templates than before: what an earlier program began is
 // not gone on with, but begun anew.
-constexpr int method = 4;
+constexpr int method = 5;
 
 }  // namespace
 

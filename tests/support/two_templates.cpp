@@ -9,6 +9,12 @@
 
 namespace archetype::test {
 
+namespace {
+
+constexpr int points = 300;  // of each shape
+
+}  // namespace
+
 void TwoTemplates::add(const std::string& style, std::size_t count, std::size_t side) {
   add_chairs(shapes, style, count, points);
   sides.resize(shapes.size(), side);

@@ -21,7 +21,6 @@ struct TwoTemplates {
   // With all of its shapes.
   std::optional<TemplateMerge> merge() const;
 
-  int points = 300;  // of each shape
   std::vector<ShapeSamples> shapes;
   Sides sides;
   LearnedTemplate first;
