@@ -2,7 +2,6 @@
 #include "core/learning/estimate_siblings.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace archetype {
 
@@ -10,8 +9,7 @@ namespace {
 
 using Observed = std::vector<std::vector<PartObservation>>;
 
-// Each part about its mean over the shapes that have it, and further from it by what that mean has taken of
-// their scatter. What one shape has alone says nothing of spreads.
+// Each part about its mean over the shapes that have it.
 Observed centred(Observed shapes) {
   for (std::size_t k = 0; !shapes.empty() && k < shapes.front().size(); ++k) {
     Vec3 centre = Vec3::Zero();
@@ -23,13 +21,11 @@ Observed centred(Observed shapes) {
       half_extent += parts[k].box.half_extent;
       having += 1;
     }
-    const double wider = having > 1 ? std::sqrt(having / (having - 1)) : 0;
     for (auto& parts : shapes) {
       PartObservation& part = parts[k];
       if (!part.present) continue;
-      part.box.centre = wider * (part.box.centre - centre / having);
-      part.box.half_extent = wider * (part.box.half_extent - half_extent / having);
-      part.present = having > 1;
+      part.box.centre -= centre / having;
+      part.box.half_extent -= half_extent / having;
     }
   }
   return shapes;

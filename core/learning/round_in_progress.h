@@ -85,8 +85,8 @@ class RoundInProgress {
   // gains less than the time before. Differs from the paper, which learns from the best fits: of nine chairs
   // the best six make all spreads wider, as fewer say less against what was known.
   bool try_siblings(const std::vector<std::size_t>& siblings);
-  // Its templates from what its shapes say of them now, except those that fit badly. Takes the observations.
-  void estimate_together(Family& family, const std::vector<std::size_t>& indices) const;
+  // Its templates from what its shapes say of them now. Takes the observations.
+  void estimate_together(Family& family) const;
   // The best of the family for each of its shapes. Throws NumericError as take_best() does.
   bool choose_again(Family& family, const std::vector<std::size_t>& siblings, const Chosen& chosen);
   // Of its judging shapes, the first ones, with what the templates cost beside `known`, or each beside its

@@ -43,16 +43,10 @@ double RoundInProgress::family_energy(const Family& family, std::size_t judging,
   return sum;
 }
 
-void RoundInProgress::estimate_together(Family& family, const std::vector<std::size_t>& indices) const {
-  std::vector<double> least(family.templates.size(), std::numeric_limits<double>::infinity());
-  for (std::size_t m = 0; m < indices.size(); ++m)
-    least[family.sides[m]] = std::min(least[family.sides[m]], family.seen[m].energy);
+void RoundInProgress::estimate_together(Family& family) const {
   std::vector<std::vector<std::vector<PartObservation>>> observed(family.templates.size());
-  for (std::size_t m = 0; m < indices.size(); ++m) {
-    const std::size_t side = family.sides[m];
-    if (family.seen[m].energy <= options_.tau * least[side] || must_learn(indices[m]))
-      observed[side].push_back(std::move(family.seen[m].parts));
-  }
+  for (std::size_t m = 0; m < family.seen.size(); ++m)
+    observed[family.sides[m]].push_back(std::move(family.seen[m].parts));
   family.templates = estimate_siblings(family.templates, observed, options_);
 }
 
@@ -98,7 +92,7 @@ bool RoundInProgress::try_siblings(const std::vector<std::size_t>& siblings) {
   double gained = 0;
   Family best;
   for (int step = 0; step < most_steps; ++step) {
-    estimate_together(now, chosen.indices);
+    estimate_together(now);
     if (!choose_again(now, siblings, chosen)) return false;
     const auto after = energies(now);
     const double gain = std::min(known_energies[0] - after[0], known_energies[1] - after[1]);

@@ -84,18 +84,6 @@ TEST_CASE("a sibling with too few shapes stays as it is, and a part that no shap
   CHECK(found[0].part_template.parts[0].existence < siblings[0].part_template.parts[0].existence);
 }
 
-TEST_CASE(
-    "what one shape of each sibling has alone says nothing of spreads, and two of three what they differ "
-    "by") {
-  const std::vector siblings{known_within(0, 0.3), known_within(3, 0.3)};
-  auto observed = std::vector{at_heights({0.2, 0, 0}), at_heights({3.2, 3, 3})};
-  for (Observed& each : observed) each[1][0].present = each[2][0].present = false;
-  const double alone = spread_of(estimate_siblings(siblings, observed, {})[0]);
-  CHECK(alone > 0.25);
-  for (Observed& each : observed) each[1][0].present = true;
-  CHECK(spread_of(estimate_siblings(siblings, observed, {})[0]) < alone);
-}
-
 TEST_CASE("siblings have parts of the same names and labels, in the same order") {
   PartTemplate chair = test::chair_template();
   PartTemplate other = chair;
