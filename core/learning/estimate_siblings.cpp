@@ -2,6 +2,7 @@
 #include "core/learning/estimate_siblings.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace archetype {
 

@@ -21,7 +21,9 @@ struct TemplateMerge {
 // after the other, and one that cuts a kind in two (table lamps to the floor lamps, and others to the desk
 // lamps) leaves pieces that later divisions set free; only together are they a cluster. Not in the paper.
 // sides: by member, 0 if it takes the first template and 1 if the second. Nothing in `merge` if their parts
-// are not the same or if one has no judging member. False if cancelled. Two fits a member.
+// are not the same or if one has no judging member. What is known before is what was
+// known of the first, after an estimate with its siblings where that one was: so two are joined less easily
+// than they might be, and not alike in either order. False if cancelled. Two fits a member.
 bool merge_templates(const LearnedTemplate& first, const LearnedTemplate& second,
                      const TemplateMembers& members, const Sides& sides, const FitOptions& fit_options,
                      const LearnOptions& options, unsigned threads, const JobControl& control,

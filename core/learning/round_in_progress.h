@@ -79,11 +79,12 @@ class RoundInProgress {
   bool try_update(std::size_t t);
   // All templates, those that have the same parts together.
   std::vector<std::vector<std::size_t>> families() const;
-  // At most, for the progress.
+  // About, for the progress.
   std::size_t fits_of_updates(std::span<const std::vector<std::size_t>> families) const;
-  // Estimates `siblings` together from all shapes that take them, and lets these choose anew, until that
-  // gains less than the time before. Differs from the paper, which learns from the best fits: of nine chairs
-  // the best six make all spreads wider, as fewer say less against what was known.
+  // Estimates `siblings` together from all shapes that take them, and lets these choose anew, until the
+  // energy falls no more, at most most_steps times. Kept if it has fallen, both beside what was known of each
+  // and beside what all of their shapes say as one. Differs from the paper, which learns from the best fits:
+  // of nine chairs the best seven make all spreads wider, as fewer say less against what was known.
   bool try_siblings(const std::vector<std::size_t>& siblings);
   // Its templates from what its shapes say of them now. Takes the observations.
   void estimate_together(Family& family) const;

@@ -41,7 +41,8 @@ struct SplitProposal {
 // vertical axis. Differs from the paper, which clusters the learning set by dissimilarities of the fitted
 // shapes: a chair fits a bench badly, and where its parts have come to lie on one then tells nothing. A
 // division may be proposed twice, with a child that was stretched and with one that was estimated. All are
-// drawn to where their clusters were found in later estimates. Some 20 of them.
+// drawn to where their clusters were found in later estimates, up to the first with their siblings
+// (estimate_siblings.h). Some 20 of them.
 std::vector<SplitProposal> split_proposals(const LearnedTemplate& parent, const TemplateMembers& members,
                                            const LearnOptions& options);
 
