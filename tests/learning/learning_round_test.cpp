@@ -198,6 +198,51 @@ TEST_CASE(
   CHECK(std::ranges::count(round.taken, std::size_t{0}) >= 7);
 }
 
+TEST_CASE("shapes that do not judge teach siblings too, and a stop between these leaves nothing") {
+  TwoTemplates given;
+  given.add("bench", 8, 0);
+  given.add("plain", 8, 1);
+  given.learn();
+  given.second.part_template.name = given.second.initial.name = "second";
+  // What they know came from all; the judges alone say something else.
+  std::vector<ShapeSamples> judging;
+  std::vector<ShapeSamples> others;
+  for (std::size_t i = 0; i < given.shapes.size(); ++i)
+    (i % 8 < 4 ? judging : others).push_back(given.shapes[i]);
+  LearnOptions options;
+  options.divided_share = 2;  // so that nothing is divided
+  const std::vector templates{given.first, given.second};
+  const auto begun = [&] {
+    auto result = templates;
+    for (LearnedTemplate& each : result) each.part_template.parts[0].scale.mean *= 1.2;
+    return result;
+  }();
+  const auto round = [&](std::span<const ShapeSamples> rest, const JobControl& control) {
+    return learning_round(begun, judging, rest, {}, options, 1, control);
+  };
+  const auto alone = round({}, {});
+  const auto together = round(others, {});
+  REQUIRE(alone);
+  REQUIRE(together);
+  CHECK(together->taken == std::vector<std::size_t>{0, 0, 0, 0, 1, 1, 1, 1});
+  for (std::size_t t = 0; t < 2; ++t) {
+    CHECK(together->origins[t].changed);
+    CHECK(together->templates[t].part_template != alone->templates[t].part_template);
+  }
+
+  // Two templates are fitted to the judges, and to all; what comes then is of the siblings.
+  const std::size_t before = 2 * judging.size() + 2 * given.shapes.size();
+  std::stop_source source;
+  std::size_t last = 0;
+  const JobControl stopping{source.get_token(), [&](std::size_t done, std::size_t, std::string_view) {
+                              last = done;
+                              if (done == before + 5) source.request_stop();
+                            }};
+  CHECK_FALSE(round(others, stopping));
+  CHECK(last >= before + 5);
+  CHECK(last <= before + 6);
+}
+
 TEST_CASE("a template that no shape takes is dropped, unless some shape of the collection is pinned to it") {
   std::vector<ShapeSamples> shapes;
   add_chairs(shapes, "plain", 4, points);
