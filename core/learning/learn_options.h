@@ -9,8 +9,8 @@ struct LearnOptions {
   int iterations = 10;           // N_iter: at most this many
   std::size_t sample_size = 50;  // K_L: shapes that judge every iteration, and as many that change with it
   // A shape is learned from if its energy is among the least of its template's, up to this share, and at most
-  // tau times the least one. Differs from the paper, whose thresholds of 75 and 150 have an unknown unit. One
-  // that has siblings (estimate_siblings.h) is learned from all of its shapes.
+  // tau times the least one. Differs from the paper, whose thresholds of 75 and 150 have an unknown unit. A
+  // template that has siblings (estimate_siblings.h) is learned from all of its shapes.
   double learning_share = 0.7;
   double tau = 4;
   std::size_t smallest_learning_set = 3;  // fewer teach a template nothing
