@@ -13,6 +13,7 @@
 #include "core/geometry/blue_noise.h"
 #include "core/geometry/features.h"
 #include "core/geometry/kd_tree.h"
+#include "core/geometry/straighten.h"
 
 namespace archetype {
 
@@ -196,6 +197,7 @@ ShapeSamples sample_shape(const PolygonMesh& mesh, const ContentHash& hash, cons
   samples.frame.scale = 1.0 / (conditioned.scale * mean_distance);
   samples.frame.centroid = rotation * conditioned.centre + centroid * conditioned.scale;
   samples.radius = largest_distance(samples.points, Vec3::Zero());
+  straighten(samples);
   auto features = compute_features(samples.points, feature_radius * samples.radius);
   samples.features_x = std::move(features.x);
   samples.features_z = std::move(features.z);

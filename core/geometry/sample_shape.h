@@ -16,9 +16,9 @@ struct SamplingOptions {
   std::uint64_t seed = 1;  // mixed with the content hash: a shape has the same samples in every collection
 };
 
-// Blue-noise samples by area, normalised, with normals and features. Point sets are thinned to evenly spaced
-// points of the file (fewer than options.points if the file has fewer). Throws NumericError if the shape has
-// no area and no points, or its extent is not finite.
+// Blue-noise samples by area, upright, straight (straighten.h) and normalised, with normals and features.
+// Point sets are thinned to evenly spaced points of the file (fewer than options.points if the file has
+// fewer). Throws NumericError if the shape has no area and no points, or its extent is not finite.
 ShapeSamples sample_shape(const PolygonMesh& mesh, const ContentHash& hash, const SamplingOptions& options);
 
 }  // namespace archetype

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/geometry/kd_tree.h"
+#include "core/geometry/mirror_distances.h"
 
 namespace archetype {
 
@@ -16,21 +16,6 @@ constexpr std::size_t most_alike = 5;   // shapes that each shape is compared wi
 constexpr double oddness_weight = 0.5;  // beside profile distances, which are 0 to 2
 constexpr double level_weight = 0.2;
 constexpr std::array<double, up_axis_count> preference{0, 0.03, 0.06, 0.06, 0.06, 0.06};  // against each axis
-
-// Mean distance of the samples, mirrored at the plane through the centroid across each axis, to the nearest
-// ones.
-std::array<double, 3> asymmetry(const std::vector<Vec3>& points) {
-  const KdTree tree(points);
-  std::array<double, 3> result{};
-  for (int axis = 0; axis < 3; ++axis) {
-    for (Vec3 p : points) {
-      p[axis] = -p[axis];
-      result[static_cast<std::size_t>(axis)] += std::sqrt(tree.nearest(p).squared_distance);
-    }
-    result[static_cast<std::size_t>(axis)] /= static_cast<double>(points.size());
-  }
-  return result;
-}
 
 // How far the centroid (the origin) lies outside the bounds of what touches the ground, in units of their
 // size; 0 inside.
@@ -110,7 +95,7 @@ UprightLook look_upright(const ShapeSamples& samples) {
   std::vector<Vec3> file_axes;
   file_axes.reserve(samples.size());
   for (const Vec3& p : samples.points) file_axes.emplace_back(samples.frame.rotation.transpose() * p);
-  const auto uneven = asymmetry(file_axes);
+  const auto uneven = mirror_distances(file_axes);
   UprightLook look;
   std::vector<Vec3> upright(samples.size());
   for (std::size_t up = 0; up < up_axis_count; ++up) {

@@ -3,6 +3,8 @@
 #include "core/io/export_files.h"
 
 #include <bit>
+#include <cmath>
+#include <numbers>
 
 #include "core/base/number_text.h"
 #include "core/model/part_colours.h"
@@ -73,10 +75,21 @@ std::string fits_header() {
   return "shape,template,yaw_degrees,energy,e_data,e_deform,e_smooth,e_feature,status,e_exist\n";
 }
 
-std::string fits_row(const std::string& shape, const std::string& part_template, const FitRecord& fit) {
+namespace {
+
+// About +y: by how much the samples were turned to stand straight (geometry/straighten.h).
+double straightened_degrees(const ShapeRecord& shape) {
+  const Mat3 turn = shape.frame.rotation * upright_rotation(shape.up).transpose();
+  return std::atan2(turn(0, 2), turn(0, 0)) * 180 / std::numbers::pi;
+}
+
+}  // namespace
+
+std::string fits_row(const std::string& name, const ShapeRecord& shape, const std::string& part_template,
+                     const FitRecord& fit) {
   const FitEnergy& energy = fit.fit.energy;
-  std::string row =
-      field(shape) + ',' + field(part_template) + ',' + std::to_string(90 * fit.fit.yaw_quarters);
+  std::string row = field(name) + ',' + field(part_template);
+  append(row, std::fmod(90 * fit.fit.yaw_quarters - straightened_degrees(shape) + 360, 360));
   for (const double term :
        {energy.total(), energy.data(), energy.deformation, energy.smoothness, energy.features}) {
     append(row, term);

@@ -17,7 +17,9 @@ std::string export_file_name(const std::string& name);
 std::string unique_export_name(const std::string& name, std::set<std::string>& taken);
 
 std::string fits_header();
-std::string fits_row(const std::string& shape, const std::string& part_template, const FitRecord& fit);
+// yaw_degrees is how the shape of the file stands to its template, about the axis of the file that points up.
+std::string fits_row(const std::string& name, const ShapeRecord& shape, const std::string& part_template,
+                     const FitRecord& fit);
 
 std::string parts_header();
 std::string parts_rows(const std::string& template_name, const PartTemplate& part_template);

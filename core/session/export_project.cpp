@@ -118,7 +118,7 @@ class Export {
     }
     ++report_.shapes;
     if (!work.labels) ++report_.without_labels;
-    fits_ += fits_row(work.name, templates_.at(work.fit->part_template).name, *work.fit);
+    fits_ += fits_row(work.name, work.shape, templates_.at(work.fit->part_template).name, *work.fit);
     boxes_ += boxes_rows(work.name, work.shape.frame, work.fit->fit);
   }
 

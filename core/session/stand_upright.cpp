@@ -3,14 +3,15 @@
 
 #include "core/base/parallel.h"
 #include "core/geometry/features.h"
+#include "core/geometry/straighten.h"
 #include "core/geometry/upright.h"
 
 namespace archetype {
 
 namespace {
 
-// The same samples with another axis of the file pointing up: exact, but for the features, which are made
-// anew.
+// The same samples with another axis of the file pointing up, and straight about it: exact, but for the
+// features, which are made anew.
 ShapeSamples turned(ShapeSamples samples, UpAxis up) {
   const Mat3 rotation = upright_rotation(up);
   const Mat3 turn = rotation * samples.frame.rotation.transpose();
@@ -18,6 +19,7 @@ ShapeSamples turned(ShapeSamples samples, UpAxis up) {
   samples.frame.centroid = turn * samples.frame.centroid;
   for (Vec3& p : samples.points) p = turn * p;
   for (Vec3& n : samples.normals) n = turn * n;
+  straighten(samples);
   PointFeatures features = compute_features(samples.points, feature_radius * samples.radius);
   samples.features_x = std::move(features.x);
   samples.features_z = std::move(features.z);
