@@ -11,8 +11,7 @@ namespace archetype {
 // directions (round lamps), what is off by less than five degrees, which fitting copes with, and what would
 // be less like its mirror image; so collections that were aligned stay so. About 3 ms where anything is
 // turned. Differs from the paper, which tries four yaws by quarter turns: what stands at any other yaw fits
-// none of them (the twenty planes of COSEG's size at yaws of chance, fitted: 84.4 -> 94.9 % of the area
-// right).
+// none of them (20 labelled planes at yaws of chance, fitted: 84.4 -> 94.9 % of the area right).
 void straighten(ShapeSamples& samples);
 
 }  // namespace archetype

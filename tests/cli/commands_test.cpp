@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -118,6 +120,37 @@ TEST_CASE("an export tells the seed of the samples, energies that add up, and fi
   REQUIRE(cells.size() == 9);
   CHECK(std::stod(cells[2]) == doctest::Approx(std::stod(cells[3]) + std::stod(cells[4]) +
                                                std::stod(cells[5]) + std::stod(cells[8])));
+}
+
+TEST_CASE("shapes of any yaw are fitted, and the export tells how they stand to their template") {
+  const Fixture fixture(1);
+  const auto made = fixture.folder.path() / "any";
+  require_run(
+      {"generate", "chairs", "--count", "4", "--style", "plain", "--yaw", "any", "--out", made.string()});
+  require_run({"import", fixture.project, (made / "shapes").string(), "--points", "300"});
+  require_run({"fit", fixture.project, "--template", fixture.chair});
+  const auto out = fixture.folder.path() / "out";
+  require_run({"export", fixture.project, "--out", out.string()});
+  // Both tables begin with the shape, something else, and its yaw.
+  const auto yaws = [](const std::string& table) {
+    std::map<std::string, double> result;
+    std::istringstream lines(table.substr(table.find('\n') + 1));
+    for (std::string line; std::getline(lines, line);) {
+      const auto first = line.find(',');
+      result[line.substr(0, first)] = std::stod(line.substr(line.find(',', first + 1) + 1));
+    }
+    return result;
+  };
+  const auto told = yaws(folder_content(out).at("fits.csv"));
+  const auto right = yaws(archetype::read_file(made / "styles.csv"));
+  REQUIRE(told.size() == 4);
+  REQUIRE(right.size() == 4);
+  double askew = 0;
+  for (const auto& [name, yaw] : right) {
+    CHECK(std::abs(std::remainder(told.at(name) - yaw, 360)) < 6);
+    askew = std::max(askew, std::abs(std::remainder(yaw, 90)));
+  }
+  CHECK(askew > 20);
 }
 
 TEST_CASE("points are mapped from shape to shape and measured against landmarks") {
