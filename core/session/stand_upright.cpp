@@ -10,8 +10,7 @@ namespace archetype {
 
 namespace {
 
-// The same samples with another axis of the file pointing up, and straight about it: exact, but for the
-// features, which are made anew.
+// The same samples with another axis of the file pointing up, and straight about it; features are made anew.
 ShapeSamples turned(ShapeSamples samples, UpAxis up) {
   const Mat3 rotation = upright_rotation(up);
   const Mat3 turn = rotation * samples.frame.rotation.transpose();

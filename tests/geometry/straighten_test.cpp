@@ -73,6 +73,23 @@ TEST_CASE("a box is turned to the nearest axes, and left where it stands nearly 
   }
 }
 
+TEST_CASE("what is square is turned from its diagonals, too") {
+  for (const double degrees : {40.0, 44.5, -44.5}) {
+    PolygonMesh mesh;
+    mesh.vertices = {{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1},
+                     {-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}};
+    for (Vec3& v : mesh.vertices) v = turn(degrees) * v;
+    const std::vector<std::vector<std::uint32_t>> faces{{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                                        {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+    for (const auto& face : faces) mesh.add_face(face);
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+      const ShapeSamples samples = sample_shape(mesh, {{seed, 1}}, {});
+      const double turned = std::atan2(samples.frame.rotation(0, 2), samples.frame.rotation(0, 0));
+      CHECK(std::abs(std::remainder(turned * 180 / std::numbers::pi + degrees, 90)) < 2);
+    }
+  }
+}
+
 TEST_CASE("what is round stays as it is, and what would be less like its mirror image") {
   ShapeSamples drum = drum_samples();
   straighten(drum);
