@@ -46,9 +46,7 @@ bool draw_suggestion(Studio& studio, std::size_t rank, float side) {
   ImGui::TextUnformatted(fitted(part_template.name, side).c_str());
   tooltip(part_template.name.c_str());
   muted_text(studio, fitted(text, side));
-  std::snprintf(text, sizeof text, "Mean energy %.3f over the shapes, and the price of %zu parts",
-                suggestion.found.mean_energy, part_template.parts.size());
-  tooltip(text);
+  tooltip("How far it is from the shapes once it was estimated from them");
   ImGui::EndGroup();
   if (clicked) studio.ui.chosen_suggestion = rank;
   return clicked && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
@@ -80,10 +78,10 @@ void draw_suggestions_window(Studio& studio) {
     if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
     muted_paragraph(
         studio,
-        "The one with the least score comes first: its mean energy over the shapes, and a price "
-        "for each part, since more parts always fit better. The points are those of the shape that "
-        "it was made of, in the colours of the parts. A double click or Enter takes one; learning "
-        "makes it better.");
+        "The one whose boxes lie nearest to the shapes, once it was estimated from them, comes first. The "
+        "points are those of the shape that it was made of, in the colours of the parts; some were cut into "
+        "boxes, others into round parts as well. A double click or Enter takes one; learning makes it "
+        "better.");
     std::size_t& chosen = studio.ui.chosen_suggestion;
     chosen = std::min(chosen, studio.ui.suggestions.size() - 1);
     std::optional<std::size_t> taken;

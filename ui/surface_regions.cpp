@@ -56,8 +56,9 @@ Eigen::Quaterniond about_one_axis(const Eigen::Quaterniond& own, std::span<const
 Eigen::Quaterniond axes_of(const std::vector<Vec3>& points, const ShapeSamples& samples) {
   if (points.size() < enough_samples) return Eigen::Quaterniond::Identity();
   const double spacing = spacing_of(samples);
-  return about_one_axis(without_twist(fit_region_box(points, 0.1 * samples.radius, spacing).box), points,
-                        spacing);
+  return about_one_axis(
+      without_twist(fit_region_box(points, 0.1 * samples.radius, spacing, RegionSolids::boxes).box), points,
+      spacing);
 }
 
 SurfaceRegions of_segments(Segmentation segments, const ShapeSamples& samples) {

@@ -1,8 +1,6 @@
 // A few alternations of matching and deforming for each solid.
 #include "core/fitting/choose_solids.h"
 
-#include <array>
-
 #include "core/fitting/energy.h"
 
 namespace archetype {
@@ -10,8 +8,6 @@ namespace archetype {
 namespace {
 
 constexpr int steps = 3;
-
-constexpr std::array round_solids{Solid::ellipsoid, Solid::cylinder_x, Solid::cylinder_y, Solid::cylinder_z};
 
 // What each part contributes to the energy by distances and by its deformation.
 struct PartEnergy {

@@ -1,6 +1,7 @@
 // Which parts of a fit are round.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -9,6 +10,9 @@
 #include "core/fitting/deformation.h"
 
 namespace archetype {
+
+inline constexpr std::array round_solids{Solid::ellipsoid, Solid::cylinder_x, Solid::cylinder_y,
+                                         Solid::cylinder_z};
 
 // Matches boxes with the samples, whose labels stay (correspondence.h).
 using MatchBoxes = std::function<void(std::span<const Box>, Correspondences&)>;

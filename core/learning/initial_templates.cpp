@@ -2,20 +2,25 @@
 #include "core/learning/initial_templates.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <limits>
 #include <numbers>
 
 #include "core/base/parallel.h"
 #include "core/fitting/fit_template.h"
+#include "core/learning/learn_options.h"
 #include "core/learning/mirror_symmetry.h"
 #include "core/learning/recurring_parts.h"
+#include "core/learning/reestimate.h"
 #include "core/learning/template_from_boxes.h"
 
 namespace archetype {
 
 namespace {
 
-constexpr std::size_t joined_bases = 3;  // candidates that get the parts of other shapes
+constexpr std::size_t ways = 2;          // to segment shapes: into boxes, and with round parts
+constexpr std::size_t joined_bases = 2;  // candidates of each that get the parts of other shapes
 
 // Boxes of near duplicates lie this near to each other, as a share of their size and in normalised units.
 constexpr double duplicate_reach_share = 0.1;
@@ -58,6 +63,14 @@ void set_existence(PartTemplate& part_template, const std::vector<ShapeFit>& fit
   }
 }
 
+// How shapes are segmented, and the candidates that come of it, the best first.
+struct Way {
+  RegionSolids solids;
+  const char* prefix;                       // of the names of the candidates
+  std::vector<Segmentation> segmentations;  // one per segmented shape
+  std::vector<InitialTemplate> ranked = {};
+};
+
 class Search {
  public:
   Search(const InitialShapes& shapes, const InitialTemplateOptions& options, unsigned threads,
@@ -67,70 +80,105 @@ class Search {
   }
 
   bool segment() {
-    segmentations_.resize(shapes_.segmented.size());
-    return parallel_for(segmentations_.size(), threads_, control_, "segmenting", [this](std::size_t i) {
-      const std::optional<Segmentation> found =
-          segment_shape(shapes_.samples[shapes_.segmented[i]], options_.segmentation, stop_only_);
-      if (found) segmentations_[i] = *found;
+    for (Way& way : ways_) way.segmentations.resize(shapes_.segmented.size());
+    const std::size_t count = ways_.size() * shapes_.segmented.size();
+    return parallel_for(count, threads_, control_, "segmenting", [this](std::size_t i) {
+      Way& way = ways_[i % ways_.size()];
+      SegmentationOptions options = options_.segmentation;
+      options.solids = way.solids;
+      const std::size_t k = i / ways_.size();
+      auto found = segment_shape(shapes_.samples[shapes_.segmented[k]], options, stop_only_);
+      if (found) way.segmentations[k] = *std::move(found);
     });
   }
 
-  std::vector<PartTemplate> single_candidates() const {
-    std::vector<PartTemplate> candidates;
-    for (std::size_t i = 0; i < segmentations_.size(); ++i) {
-      const std::size_t shape = shapes_.segmented[i];
-      candidates.push_back(template_from_segmentation(segmentations_[i], shapes_.samples[shape]));
-      candidates.back().name = "from " + shapes_.names[shape];
+  bool score_all() {
+    const std::size_t count = ways_.size() * shapes_.segmented.size();
+    std::size_t done = 0;
+    for (Way& way : ways_) {
+      for (std::size_t k = 0; k < shapes_.segmented.size(); ++k) {
+        if (!is_as_before(way, k)) {
+          const std::size_t shape = shapes_.segmented[k];
+          PartTemplate candidate = template_from_segmentation(way.segmentations[k], shapes_.samples[shape]);
+          candidate.name = way.prefix + ("from " + shapes_.names[shape]);
+          std::optional<InitialTemplate> scored = score(std::move(candidate));
+          if (!scored) return false;
+          way.ranked.push_back(std::move(*scored));
+        }
+        control_.progress(++done, count, "scoring");
+      }
+      std::ranges::stable_sort(way.ranked, {}, &InitialTemplate::score);
     }
-    return candidates;
-  }
-
-  bool score_all(std::vector<PartTemplate> candidates) {
-    for (PartTemplate& candidate : candidates) {
-      std::optional<InitialTemplate> scored = score(std::move(candidate));
-      if (!scored) return false;
-      ranked_.push_back(std::move(*scored));
-      control_.progress(ranked_.size(), candidates.size(), "scoring");
-    }
-    std::ranges::stable_sort(ranked_, {}, &InitialTemplate::score);
     return true;
   }
 
-  // The best candidates so far, each with the parts of other shapes that lower its score.
+  // The best candidates so far, each with the parts of other shapes that are worth their price.
   bool join() {
-    std::vector<InitialTemplate> joined;
-    const std::size_t bases = std::min(joined_bases, ranked_.size());
-    control_.progress(0, bases, "joining");  // the first one takes its time: "scoring" is over
-    for (std::size_t c = 0; c < bases; ++c) {
-      std::optional<InitialTemplate> candidate = joined_from(ranked_[c].part_template);
-      if (!candidate) return false;
-      if (candidate->score < ranked_[c].score) joined.push_back(std::move(*candidate));
-      control_.progress(c + 1, bases, "joining");
+    const auto bases_of = [](const Way& way) { return std::min(joined_bases, way.ranked.size()); };
+    std::size_t count = 0;
+    for (const Way& way : ways_) count += bases_of(way);
+    control_.progress(0, count, "joining");  // the first one takes its time: "scoring" is over
+    std::size_t done = 0;
+    for (Way& way : ways_) {
+      std::vector<InitialTemplate> joined;
+      for (std::size_t c = 0; c < bases_of(way); ++c) {
+        std::optional<InitialTemplate> candidate =
+            joined_from(way.ranked[c].part_template, way.segmentations);
+        if (!candidate) return false;
+        if (with_price(*candidate) < with_price(way.ranked[c])) joined.push_back(std::move(*candidate));
+        control_.progress(++done, count, "joining");
+      }
+      std::ranges::move(joined, std::back_inserter(way.ranked));
+      std::ranges::stable_sort(way.ranked, {}, &InitialTemplate::score);
     }
-    std::ranges::move(joined, std::back_inserter(ranked_));
-    std::ranges::stable_sort(ranked_, {}, &InitialTemplate::score);
     return true;
   }
 
-  // Without those that are nearly the same as a better one.
+  // As many of each way as there are, the way of the best one first, and where one has fewer, more of the
+  // other: how well learning will do with a candidate shows only when it is tried. Of those that are nearly
+  // the same, the best.
   std::vector<InitialTemplate> best() {
     std::vector<InitialTemplate> kept;
-    for (InitialTemplate& candidate : ranked_) {
-      if (kept.size() >= options_.candidates) break;
-      const bool known = std::ranges::any_of(kept, [&](const InitialTemplate& better) {
-        return nearly_same(candidate.part_template, better.part_template);
-      });
-      if (!known) kept.push_back(std::move(candidate));
+    std::ranges::stable_sort(ways_, {}, [](const Way& way) {
+      return way.ranked.empty() ? std::numeric_limits<double>::infinity() : way.ranked.front().score;
+    });
+    std::array<std::size_t, ways> next{};
+    const auto take_from = [&](std::size_t w) {
+      while (next[w] < ways_[w].ranked.size()) {
+        InitialTemplate& candidate = ways_[w].ranked[next[w]++];
+        const auto known = std::ranges::find_if(kept, [&](const InitialTemplate& other) {
+          return nearly_same(candidate.part_template, other.part_template);
+        });
+        if (known == kept.end()) {
+          kept.push_back(std::move(candidate));
+          return true;
+        }
+        if (candidate.score < known->score) *known = std::move(candidate);
+      }
+      return false;
+    };
+    for (bool taken = true; taken;) {
+      taken = false;
+      for (std::size_t w = 0; w < ways && kept.size() < options_.candidates; ++w)
+        taken = take_from(w) || taken;
     }
+    std::ranges::stable_sort(kept, {}, &InitialTemplate::score);
     return kept;
   }
 
  private:
+  // yaws: by shape; where there are none, all four are tried.
   std::optional<std::vector<ShapeFit>> fit_all(const PartTemplate& part_template,
-                                               const std::vector<std::size_t>& to) const {
+                                               const std::vector<std::size_t>& to,
+                                               const std::vector<int>& yaws = {}) const {
     std::vector<ShapeFit> fits(to.size());
     parallel_for(to.size(), threads_, stop_only_, "fitting", [&](std::size_t i) {
-      std::optional<ShapeFit> fit = fit_template(part_template, shapes_.samples[to[i]], {}, stop_only_);
+      FitOptions options;
+      if (!yaws.empty()) {
+        options.yaw_costs.fill(std::numeric_limits<double>::infinity());
+        options.yaw_costs[static_cast<std::size_t>(yaws[i])] = 0;
+      }
+      std::optional<ShapeFit> fit = fit_template(part_template, shapes_.samples[to[i]], options, stop_only_);
       if (fit) fits[i] = std::move(*fit);
     });
     if (control_.cancelled()) return std::nullopt;
@@ -138,25 +186,47 @@ class Search {
   }
 
   std::optional<InitialTemplate> score(PartTemplate candidate) const {
-    const std::optional<std::vector<ShapeFit>> fits = fit_all(candidate, shapes_.scored);
+    const auto fits = fit_all(candidate, shapes_.scored);
     if (!fits) return std::nullopt;
     InitialTemplate result;
-    // The part cost stands for the existence term, which would count every optional part twice.
-    for (const ShapeFit& fit : *fits) result.mean_energy += fit.energy.total() - fit.energy.existence;
-    result.mean_energy /= static_cast<double>(fits->size());
-    result.score = result.mean_energy + options_.part_cost * static_cast<double>(candidate.parts.size());
+    std::vector<std::vector<PartObservation>> observed;
+    std::vector<int> yaws;
+    for (std::size_t i = 0; i < fits->size(); ++i) {
+      const ShapeFit& fit = (*fits)[i];
+      result.mean_energy += (fit.energy.total() - fit.energy.existence) / static_cast<double>(fits->size());
+      observed.push_back(observe_parts(fit, shapes_.samples[shapes_.scored[i]]));
+      yaws.push_back(fit.yaw_quarters);
+    }
+    const auto bent = fit_all(reestimate(candidate, observed, {}), shapes_.scored, yaws);
+    if (!bent) return std::nullopt;
+    for (const ShapeFit& fit : *bent) {
+      const auto present = std::ranges::count(fit.parts, true, &FittedPart::present);
+      result.score +=
+          start_score(fit.energy.data(), static_cast<double>(present)) / static_cast<double>(bent->size());
+    }
     set_existence(candidate, *fits);
     result.part_template = std::move(candidate);
     return result;
   }
 
-  // Takes all recurring parts, since those of one pair need each other, and gives up again each that does not
-  // lower the score, the rarest first.
-  std::optional<InitialTemplate> joined_from(const PartTemplate& base) const {
+  // Whether the first way has cut the shape in the same places. What is round then reaches a little less far,
+  // which is the first thing that estimates mend.
+  bool is_as_before(const Way& way, std::size_t k) const {
+    return &way != ways_.data() && way.segmentations[k].labels == ways_.front().segmentations[k].labels;
+  }
+
+  double with_price(const InitialTemplate& candidate) const {
+    return candidate.score + options_.part_cost * static_cast<double>(candidate.part_template.parts.size());
+  }
+
+  // Takes all recurring parts, since those of one pair need each other, and gives up again each that is not
+  // worth its price, the rarest first.
+  std::optional<InitialTemplate> joined_from(const PartTemplate& base,
+                                             const std::vector<Segmentation>& segmentations) const {
     const auto fits = fit_all(base, shapes_.segmented);
     if (!fits) return std::nullopt;
     std::vector<AlignedSegmentation> aligned;
-    for (std::size_t i = 0; i < fits->size(); ++i) aligned.push_back({&segmentations_[i], &(*fits)[i]});
+    for (std::size_t i = 0; i < fits->size(); ++i) aligned.push_back({&segmentations[i], &(*fits)[i]});
     PartTemplate joined = base;
     joined.name = "joined, " + base.name;
     std::ranges::move(recurring_parts(aligned, stop_only_), std::back_inserter(joined.parts));
@@ -168,7 +238,7 @@ class Search {
       name_parts(without);
       std::optional<InitialTemplate> scored = score(std::move(without));
       if (!scored) return std::nullopt;
-      if (scored->score <= best->score) best = std::move(scored);
+      if (with_price(*scored) <= with_price(*best)) best = std::move(scored);
     }
     return best;
   }
@@ -178,19 +248,22 @@ class Search {
   unsigned threads_;
   const JobControl& control_;
   JobControl stop_only_;  // single fits do not report
-  std::vector<Segmentation> segmentations_;
-  std::vector<InitialTemplate> ranked_;
+  std::array<Way, ways> ways_{Way{RegionSolids::boxes, "", {}}, Way{RegionSolids::any, "rounded, ", {}}};
 };
 
 }  // namespace
+
+double start_score(double misfit, double parts) {
+  constexpr double of_a_part = 0.001;
+  return misfit - of_a_part * parts;
+}
 
 std::optional<std::vector<InitialTemplate>> initial_templates(const InitialShapes& shapes,
                                                               const InitialTemplateOptions& options,
                                                               unsigned threads, const JobControl& control) {
   Search search(shapes, options, threads, control);
   if (!search.segment() || control.cancelled()) return std::nullopt;
-  if (!search.score_all(search.single_candidates())) return std::nullopt;
-  if (!search.join()) return std::nullopt;
+  if (!search.score_all() || !search.join()) return std::nullopt;
   return search.best();
 }
 

@@ -61,7 +61,12 @@ std::optional<LearningRound> RoundInProgress::run() {
   if (!try_merges()) return std::nullopt;
   drop_unused();
   result_.energy = mean_energy();
-  for (std::size_t i = 0; i < judging_; ++i) result_.taken.push_back(taken_[i].part_template);
+  for (std::size_t i = 0; i < judging_; ++i) {
+    result_.taken.push_back(taken_[i].part_template);
+    result_.misfit += taken_[i].seen.misfit / static_cast<double>(judging_);
+    const auto present = std::ranges::count(taken_[i].seen.parts, true, &PartObservation::present);
+    result_.parts += static_cast<double>(present) / static_cast<double>(judging_);
+  }
   // A bench that a template of chairs reached from the side may have turned for one of its own.
   if (result_.yaws.empty()) {
     for (std::size_t i = 0; i < judging_; ++i) result_.yaws.push_back(taken_[i].seen.yaw_quarters);

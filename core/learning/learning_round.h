@@ -27,6 +27,8 @@ struct LearningRound {
   bool dropped = false;                 // a template that no judging shape takes was left out
   double energy_before = 0;  // mean choice energy over the judging shapes, with what the templates cost
   double energy = 0;         // afterwards
+  double misfit = 0;         // mean E_data of the judging shapes' fits, afterwards
+  double parts = 0;          // mean number of parts that these have
   std::vector<std::size_t>
       taken;              // by judging shape, afterwards: the index of the template that fits it best
   std::vector<int> yaws;  // by judging shape: the known ones, or those that were agreed on in this round

@@ -55,8 +55,13 @@ Labels farthest_regions(const std::vector<Vec3>& points, std::size_t count, std:
 class RegionTree {
  public:
   RegionTree(const ShapeSamples& samples, const LabellingGraph& graph, Labels labels, double unit,
-             double spacing)
-      : samples_(samples), unit_(unit), spacing_(spacing), labels_(std::move(labels)) {
+             double spacing, RegionSolids solids, const JobControl& control)
+      : samples_(samples),
+        unit_(unit),
+        spacing_(spacing),
+        solids_(solids),
+        control_(control),
+        labels_(std::move(labels)) {
     regions_.resize(static_cast<std::size_t>(*std::ranges::max_element(labels_)) + 1);
     for (std::size_t i = 0; i < labels_.size(); ++i) regions_[region_of(i)].members.push_back(i);
     touching_.assign(regions_.size() * regions_.size(), false);
@@ -69,6 +74,7 @@ class RegionTree {
       order_.push_back(r);
     }
     for (const std::size_t a : order_) {
+      if (control_.cancelled()) return;
       for (const std::size_t b : order_) {
         if (a < b && touch(a, b)) joins_.push_back(join(a, b));
       }
@@ -135,7 +141,7 @@ class RegionTree {
     std::vector<Vec3> points;
     points.reserve(members.size());
     for (const std::size_t i : members) points.push_back(samples_.points[i]);
-    return fit_region_box(points, unit_, spacing_);
+    return fit_region_box(points, unit_, spacing_, solids_);
   }
   Join join(std::size_t a, std::size_t b) const {
     std::vector<std::size_t> members = regions_[a].members;
@@ -147,6 +153,7 @@ class RegionTree {
   // What does not touch may still be one part, as the rungs of a back are.
   void join_all() {
     for (const std::size_t a : order_) {
+      if (control_.cancelled()) return;
       for (const std::size_t b : order_) {
         if (a < b) joins_.push_back(join(a, b));
       }
@@ -156,6 +163,8 @@ class RegionTree {
   const ShapeSamples& samples_;
   double unit_;
   double spacing_;
+  RegionSolids solids_;
+  const JobControl& control_;  // once cancelled, not all joins are there
   Labels labels_;
   std::vector<Region> regions_;
   std::vector<bool> touching_;      // regions x regions; either half may hold it
@@ -208,7 +217,7 @@ std::optional<Segmentation> segment_shape(const ShapeSamples& samples, const Seg
   Segmentation best;
   // Once from the cells, and once from what the parts found then have become.
   for (int round = 0; round < 2; ++round) {
-    RegionTree tree(samples, graph, labels, unit, spacing);
+    RegionTree tree(samples, graph, labels, unit, spacing, options.solids, control);
     best.cost = std::numeric_limits<double>::infinity();
     do {
       if (control.cancelled()) return std::nullopt;

@@ -52,6 +52,7 @@ std::optional<std::vector<Sighting>> sightings(const PartTemplate& part_template
     seen.yaw_energies = fit->yaw_energies;
     seen.yaw_quarters = fit->yaw_quarters;
     seen.energy = fit->energy.total();
+    seen.misfit = fit->energy.data();
     for (const Vec3& p : samples.points) seen.bounds.add(fit->to_template(p));
     seen.parts = observe_parts(*fit, samples);
     const std::vector<Box> boxes = free_boxes(part_template, samples, *fit, options);

@@ -28,6 +28,7 @@ struct LearningShape {
 struct Sighting {
   double choice = std::numeric_limits<double>::infinity();  // choice_energy(), and the cost of the yaw
   double energy = 0;                                        // the fit's own
+  double misfit = 0;                                        // of it, E_data
   std::array<double, 4> yaw_energies{};                     // of the fit
   int yaw_quarters = 0;                                     // of the fit
   Bounds bounds;                                            // of the samples, in the template's frame

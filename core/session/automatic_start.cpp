@@ -19,11 +19,11 @@ using Json = nlohmann::ordered_json;
 struct State {
   std::string request;  // what the choice depends on, as a hash
   std::vector<PartTemplate> candidates;
-  std::vector<double> energies;  // of the candidates that were tried so far
+  std::vector<double> scores;  // of the candidates that were tried so far
 };
 
 void store_state(Project& project, const State& state) {
-  Json json{{"request", state.request}, {"energies", state.energies}};
+  Json json{{"request", state.request}, {"scores", state.scores}};
   json["candidates"] = Json::array();
   for (const PartTemplate& each : state.candidates) json["candidates"].push_back(format_template(each));
   project.set_setting(std::string(start_state_setting), json.dump());
@@ -37,10 +37,10 @@ std::optional<State> stored_state(const Project& project) {
     const Json json = Json::parse(*text);
     State state;
     state.request = json.at("request").get<std::string>();
-    state.energies = json.at("energies").get<std::vector<double>>();
+    state.scores = json.at("scores").get<std::vector<double>>();
     for (const Json& each : json.at("candidates"))
       state.candidates.push_back(parse_template(each.get<std::string>(), std::string(start_state_setting)));
-    if (state.candidates.empty() || state.energies.size() > state.candidates.size()) return std::nullopt;
+    if (state.candidates.empty() || state.scores.size() > state.candidates.size()) return std::nullopt;
     return state;
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
@@ -66,21 +66,20 @@ std::optional<PartTemplate> automatic_start(Project& project, const FitOptions& 
     store_state(project, *state);
   }
   const std::size_t count = state->candidates.size();
-  while (state->energies.size() < count) {
-    const std::size_t tried = state->energies.size();
+  while (state->scores.size() < count) {
+    const std::size_t tried = state->scores.size();
     const std::string which =
         "trying suggestion " + std::to_string(tried + 1) + " of " + std::to_string(count) + ", fits:";
     const JobControl of_trial{control.stop, [&](std::size_t done, std::size_t total, std::string_view) {
                                 control.progress(done, total, which);
                               }};
-    const auto energy =
-        energy_after_trial(project, state->candidates[tried], fit_options, options, seed, threads, of_trial);
-    if (!energy) return std::nullopt;
-    state->energies.push_back(*energy);
+    const auto score =
+        score_after_trial(project, state->candidates[tried], fit_options, options, seed, threads, of_trial);
+    if (!score) return std::nullopt;
+    state->scores.push_back(*score);
     store_state(project, *state);
   }
-  const auto best =
-      static_cast<std::size_t>(std::ranges::min_element(state->energies) - state->energies.begin());
+  const auto best = static_cast<std::size_t>(std::ranges::min_element(state->scores) - state->scores.begin());
   Project::Transaction transaction(project);
   store_suggestions(project, state->candidates, best);
   project.set_setting(std::string(start_state_setting), "");

@@ -14,10 +14,10 @@ namespace archetype {
 inline constexpr std::string_view start_state_setting = "learn.start";
 
 // Suggests templates (suggest_templates.h), learns a little from each on the shapes that would judge it, and
-// takes the one whose learning ends with the least energy. All of them are stored in the project then, and
-// this one becomes its current template. What was suggested, and what came of each, is kept on the way: a
-// stopped or killed call goes on there, and ends with the same template, if options, seed and shapes are the
-// same. Nothing if cancelled. Throws PreconditionError without shapes.
+// takes the one whose learning ends with the least score (score_after_trial()). All of them are stored in the
+// project then, and this one becomes its current template. What was suggested, and what came of each, is kept
+// on the way: a stopped or killed call goes on there, and ends with the same template, if options, seed and
+// shapes are the same. Nothing if cancelled. Throws PreconditionError without shapes.
 std::optional<PartTemplate> automatic_start(Project& project, const FitOptions& fit_options,
                                             const LearnOptions& options, std::uint64_t seed, unsigned threads,
                                             const JobControl& control);

@@ -12,6 +12,7 @@
 #include "core/base/number_text.h"
 #include "core/base/random.h"
 #include "core/io/correction_text.h"
+#include "core/learning/initial_templates.h"
 #include "core/learning/learning_round.h"
 #include "core/session/current_templates.h"
 #include "core/session/fit_state.h"
@@ -298,9 +299,9 @@ std::vector<PartTemplate> learning_start(const Project& project) {
   return std::move(current.templates);
 }
 
-std::optional<double> energy_after_trial(const Project& project, const PartTemplate& start,
-                                         const FitOptions& fit_options, const LearnOptions& options,
-                                         std::uint64_t seed, unsigned threads, const JobControl& control) {
+std::optional<double> score_after_trial(const Project& project, const PartTemplate& start,
+                                        const FitOptions& fit_options, const LearnOptions& options,
+                                        std::uint64_t seed, unsigned threads, const JobControl& control) {
   // What a candidate gains later is little beside what parts the candidates.
   constexpr int rounds = 2;
   if (project.shape_count() == 0) throw PreconditionError("there is no shape to learn from");
@@ -311,17 +312,19 @@ std::optional<double> energy_after_trial(const Project& project, const PartTempl
   if (!load(project, ids, control, judging)) return std::nullopt;
   std::vector<LearnedTemplate> templates{{start, start}};
   std::vector<int> yaws;
-  double energy = 0;
+  LearnOptions undivided = options;
+  undivided.smallest_cluster = judging.size() + 1;
+  double score = 0;
   for (int round = 0; round < rounds; ++round) {
-    auto learned = learning_round(templates, judging, {}, fit_options, options, threads, control,
+    auto learned = learning_round(templates, judging, {}, fit_options, undivided, threads, control,
                                   corrections.of(ids), yaws);
     if (!learned) return std::nullopt;
     templates = std::move(learned->templates);
     yaws = std::move(learned->yaws);
-    energy = learned->energy;
+    score = start_score(learned->misfit, learned->parts);
     if (!learned->changed()) break;
   }
-  return energy;
+  return score;
 }
 
 LearnReport learn_templates(Project& project, const std::vector<PartTemplate>& initial,

@@ -57,11 +57,13 @@ std::vector<PartTemplate> learning_start(const Project& project);
 ContentHash learn_request(const Project& project, const std::vector<PartTemplate>& initial,
                           const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed);
 
-// The energy that a few rounds of learning from one template end with, on the shapes that would judge it; the
-// project is not changed. Nothing if cancelled. Throws PreconditionError without shapes.
-std::optional<double> energy_after_trial(const Project& project, const PartTemplate& start,
-                                         const FitOptions& fit_options, const LearnOptions& options,
-                                         std::uint64_t seed, unsigned threads, const JobControl& control);
+// The mean start_score() that a few rounds of learning from one template end with, on the shapes that would
+// judge it. It is not divided in these: of two starts the one that happens to divide in the second round, not
+// in the third, would seem the better one. The project is not changed. Nothing if cancelled. Throws
+// PreconditionError without shapes.
+std::optional<double> score_after_trial(const Project& project, const PartTemplate& start,
+                                        const FitOptions& fit_options, const LearnOptions& options,
+                                        std::uint64_t seed, unsigned threads, const JobControl& control);
 
 // Refines and spawns templates round by round until a round keeps nothing new, then fits what was learned to
 // every shape and labels it. A round is one transaction: its templates become the current ones and remember

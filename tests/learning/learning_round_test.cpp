@@ -243,6 +243,39 @@ TEST_CASE("shapes that do not judge teach siblings too, and a stop between these
   CHECK(last <= before + 6);
 }
 
+TEST_CASE("a round tells how far from the shapes its templates are, whatever their spreads say") {
+  std::vector<ShapeSamples> shapes;
+  add_chairs(shapes, "plain", 4, points);
+  LearnOptions nothing_changes;
+  nothing_changes.agreeing_share = 2;
+  nothing_changes.smallest_cluster = 100;
+  PartTemplate chair = chair_template();
+  for (TemplatePart& part : chair.parts) part.existence = 1;
+  const auto round = [&](double factor) {
+    PartTemplate known = chair;
+    for (TemplatePart& part : known.parts) part.position.stddev *= factor;
+    const auto learned =
+        learning_round(std::vector<LearnedTemplate>{{known, known}}, shapes, {}, {}, nothing_changes, 2, {});
+    REQUIRE(learned);
+    CHECK_FALSE(learned->changed());
+    double misfit = 0;
+    double parts = 0;
+    for (const ShapeSamples& shape : shapes) {
+      const auto fit = fit_template(known, shape, {});
+      misfit += fit->energy.data();
+      for (const FittedPart& part : fit->parts) parts += part.present ? 1 : 0;
+    }
+    CHECK(learned->misfit * 4 == doctest::Approx(misfit));
+    CHECK(learned->parts * 4 == doctest::Approx(parts));
+    return *learned;
+  };
+  const LearningRound wide = round(1);
+  const LearningRound narrow = round(0.7);
+  // The boxes are held back a little more, yet the narrower densities alone make the energy less.
+  CHECK(narrow.misfit > wide.misfit);
+  CHECK(narrow.energy < wide.energy);
+}
+
 TEST_CASE("a template that no shape takes is dropped, unless some shape of the collection is pinned to it") {
   std::vector<ShapeSamples> shapes;
   add_chairs(shapes, "plain", 4, points);

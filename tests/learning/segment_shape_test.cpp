@@ -40,6 +40,26 @@ TEST_CASE("a plate with a post is segmented into plate and post, whatever the se
   }
 }
 
+TEST_CASE("a drum is a cylinder where parts may be round") {
+  Assembly assembly;
+  add_turned(assembly, 0, Vec3::Zero(), Vec3::UnitY(), {{0.001, -1}, {1, -1}, {1, 1}, {0.001, 1}}, 48);
+  add_block(assembly, 1, {0.15, 0.8, 0.15}, 0.01, {1, 4, 1}, at({0, 1.8, 0}));
+  SamplingOptions sampling;
+  sampling.points = 600;
+  const ShapeSamples samples = sample_shape(assembly.mesh, {{1, 2}}, sampling);
+  SegmentationOptions options;
+  const std::optional<Segmentation> straight = segment_shape(samples, options);
+  REQUIRE(straight);
+  for (const Box& box : straight->boxes) CHECK(box.solid == Solid::box);
+  options.solids = RegionSolids::any;
+  const std::optional<Segmentation> found = segment_shape(samples, options);
+  REQUIRE(found);
+  REQUIRE(found->boxes.size() == 2);
+  CHECK(found->boxes[0].solid == Solid::cylinder_y);
+  const Box drum{samples.frame.to_normalised(Vec3::Zero()), samples.frame.scale * Vec3(0.886, 1, 0.886)};
+  CHECK(box_distance(found->boxes[0], drum) < 0.15);
+}
+
 TEST_CASE("the number of parts stays in its range") {
   const ShapeSamples samples = plate_and_post();
   SegmentationOptions options;

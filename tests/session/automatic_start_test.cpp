@@ -62,6 +62,10 @@ TEST_CASE("what another program left as the state of the choice is not gone on f
   const auto expected = chairs.choose();
   chairs.project.set_setting(std::string(start_state_setting), R"({"request":1})");
   CHECK(chairs.choose() == expected);
+  const std::string request = learn_request(chairs.project, {}, {}, {}, 1).to_hex();
+  chairs.project.set_setting(std::string(start_state_setting),
+                             R"({"request":")" + request + R"(","energies":[0],"candidates":["{}"]})");
+  CHECK(chairs.choose() == expected);
 }
 
 TEST_CASE("a start cannot be chosen without shapes") {
