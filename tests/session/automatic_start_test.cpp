@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
 #include "core/base/error.h"
+#include "core/io/template_file.h"
 #include "core/session/learn_templates.h"
 #include "tests/support/imported_chairs.h"
 
@@ -63,8 +65,11 @@ TEST_CASE("what another program left as the state of the choice is not gone on f
   chairs.project.set_setting(std::string(start_state_setting), R"({"request":1})");
   CHECK(chairs.choose() == expected);
   const std::string request = learn_request(chairs.project, {}, {}, {}, 1).to_hex();
-  chairs.project.set_setting(std::string(start_state_setting),
-                             R"({"request":")" + request + R"(","energies":[0],"candidates":["{}"]})");
+  PartTemplate stale = *expected;
+  stale.name = "stale";
+  const nlohmann::json before_scores{
+      {"request", request}, {"energies", {0}}, {"candidates", {format_template(stale)}}};
+  chairs.project.set_setting(std::string(start_state_setting), before_scores.dump());
   CHECK(chairs.choose() == expected);
 }
 

@@ -195,8 +195,7 @@ TEST_CASE("auto finds the up axes of a collection, also if it is stopped on the 
   std::size_t right = 0;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     CHECK(shapes[i].up_decided);
-    const Mat3 upright = upright_rotation(shapes[i].up);
-    CHECK((shapes[i].frame.rotation.row(1) - upright.row(1)).norm() < 1e-9);
+    CHECK(shapes[i].frame.rotation == upright_rotation(shapes[i].up));
     right += shapes[i].up == generate_shape("chairs", generate, i).up ? 1 : 0;
   }
   CHECK(right >= 27);
