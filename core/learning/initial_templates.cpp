@@ -101,9 +101,9 @@ class Search {
           const std::size_t shape = shapes_.segmented[k];
           PartTemplate candidate = template_from_segmentation(way.segmentations[k], shapes_.samples[shape]);
           candidate.name = way.prefix + ("from " + shapes_.names[shape]);
-          std::optional<InitialTemplate> scored = score(std::move(candidate));
+          std::optional<Scored> scored = score(std::move(candidate));
           if (!scored) return false;
-          way.ranked.push_back(std::move(*scored));
+          way.ranked.push_back(std::move(scored->candidate));
         }
         control_.progress(++done, count, "scoring");
       }
@@ -125,7 +125,10 @@ class Search {
         std::optional<InitialTemplate> candidate =
             joined_from(way.ranked[c].part_template, way.segmentations);
         if (!candidate) return false;
-        if (with_price(*candidate) < with_price(way.ranked[c])) joined.push_back(std::move(*candidate));
+        const bool has_more =
+            candidate->part_template.parts.size() > way.ranked[c].part_template.parts.size();
+        if (has_more && with_price(*candidate) < with_price(way.ranked[c]))
+          joined.push_back(std::move(*candidate));
         control_.progress(++done, count, "joining");
       }
       std::ranges::move(joined, std::back_inserter(way.ranked));
@@ -185,8 +188,15 @@ class Search {
     return fits;
   }
 
-  std::optional<InitialTemplate> score(PartTemplate candidate) const {
-    const auto fits = fit_all(candidate, shapes_.scored);
+  // A candidate, and the yaws that the scored shapes took with it.
+  struct Scored {
+    InitialTemplate candidate;
+    std::vector<int> yaws;
+  };
+
+  // known_yaws: by scored shape; where there are none, all four are tried.
+  std::optional<Scored> score(PartTemplate candidate, const std::vector<int>& known_yaws = {}) const {
+    const auto fits = fit_all(candidate, shapes_.scored, known_yaws);
     if (!fits) return std::nullopt;
     InitialTemplate result;
     std::vector<std::vector<PartObservation>> observed;
@@ -206,7 +216,7 @@ class Search {
     }
     set_existence(candidate, *fits);
     result.part_template = std::move(candidate);
-    return result;
+    return Scored{std::move(result), std::move(yaws)};
   }
 
   // Whether the first way has cut the shape in the same places. What is round then reaches a little less far,
@@ -219,8 +229,9 @@ class Search {
     return candidate.score + options_.part_cost * static_cast<double>(candidate.part_template.parts.size());
   }
 
-  // Takes all recurring parts, since those of one pair need each other, and gives up again each that is not
-  // worth its price, the rarest first.
+  // Takes all recurring parts, since those of one pair need each other, and gives up again those that hardly
+  // any fit has, all at once, and then each that is not worth its price, the rarest first. For these the yaws
+  // stay those that the shapes have taken.
   std::optional<InitialTemplate> joined_from(const PartTemplate& base,
                                              const std::vector<Segmentation>& segmentations) const {
     const auto fits = fit_all(base, shapes_.segmented);
@@ -231,16 +242,28 @@ class Search {
     joined.name = "joined, " + base.name;
     std::ranges::move(recurring_parts(aligned, stop_only_), std::back_inserter(joined.parts));
     name_parts(joined);
-    std::optional<InitialTemplate> best = score(std::move(joined));
-    for (std::size_t k = best ? best->part_template.parts.size() : 0; k-- > base.parts.size();) {
-      PartTemplate without = best->part_template;
+    std::optional<Scored> scored = score(joined);
+    if (!scored) return std::nullopt;
+    Scored best = std::move(*scored);
+    for (std::size_t k = joined.parts.size(); k-- > base.parts.size();) {
+      if (best.candidate.part_template.parts[k].existence < smallest_recurrence)
+        joined.parts.erase(joined.parts.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+    if (joined.parts.size() < best.candidate.part_template.parts.size()) {
+      name_parts(joined);
+      scored = score(std::move(joined));
+      if (!scored) return std::nullopt;
+      if (with_price(scored->candidate) <= with_price(best.candidate)) best = std::move(*scored);
+    }
+    for (std::size_t k = best.candidate.part_template.parts.size(); k-- > base.parts.size();) {
+      PartTemplate without = best.candidate.part_template;
       without.parts.erase(without.parts.begin() + static_cast<std::ptrdiff_t>(k));
       name_parts(without);
-      std::optional<InitialTemplate> scored = score(std::move(without));
+      scored = score(std::move(without), best.yaws);
       if (!scored) return std::nullopt;
-      if (with_price(*scored) <= with_price(*best)) best = std::move(scored);
+      if (with_price(scored->candidate) <= with_price(best.candidate)) best = std::move(*scored);
     }
-    return best;
+    return std::move(best.candidate);
   }
 
   const InitialShapes& shapes_;

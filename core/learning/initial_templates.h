@@ -43,8 +43,8 @@ double start_score(double misfit, double parts);
 // The best first. Candidates are the segmentations of each shape, one into boxes and one with round parts,
 // and the best of them with parts that they lack and other shapes have (recurring_parts.h). Of near
 // duplicates only the best one comes. Needs a segmented and a scored shape. Deterministic for any number of
-// threads; the time is that of about 2 x (segmented shapes + 20) x scored shapes fits, and as many of one
-// yaw. Nothing when cancelled.
+// threads; the time is that of about 2 x (segmented shapes + 2) x scored shapes fits, and twice as many of
+// one yaw. Nothing when cancelled.
 //
 // Differs from the paper, which takes the templates with the least fitting energy as they are: how far a
 // template that was made of one shape has to be bent for others says little once it has been estimated from

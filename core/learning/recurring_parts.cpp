@@ -15,9 +15,6 @@ namespace {
 constexpr double reach_share = 0.45;
 constexpr double smallest_reach = 0.15;
 
-// Of the shapes; what is rarer is no part of the collection but of a shape.
-constexpr double smallest_support = 0.15;
-
 // A few times is enough for means and members to agree.
 constexpr int mean_shifts = 5;
 
@@ -112,7 +109,7 @@ std::vector<TemplatePart> recurring_parts(std::span<const AlignedSegmentation> s
                                           const JobControl& control) {
   const std::vector<FramedBox> boxes = free_boxes(shapes);
   std::vector<bool> taken(boxes.size(), false);
-  const double least = std::max(2.0, smallest_support * static_cast<double>(shapes.size()));
+  const double least = std::max(2.0, smallest_recurrence * static_cast<double>(shapes.size()));
   std::vector<TemplatePart> parts;
   for (;;) {
     Members best;

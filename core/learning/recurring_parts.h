@@ -16,6 +16,9 @@ struct AlignedSegmentation {
   const ShapeFit* fit;
 };
 
+// Of the shapes; what is rarer is no part of the collection but of a shape.
+inline constexpr double smallest_recurrence = 0.15;
+
 // The parts that recur in the shapes though the template lacks them: boxes of different shapes, one of each
 // at most, that are near to each other in place and extent once they stand in the template's frame, and near
 // to no part of their shape's fit. The part of the most shapes comes first; its existence is the share of the
