@@ -39,7 +39,7 @@ void TestWindow::settle() {
   frames(3);
   while (!settled(studio())) {
     INFO("under way: " << std::string(under_way(studio())));
-    REQUIRE(std::chrono::steady_clock::now() - start < std::chrono::minutes(1));
+    REQUIRE(std::chrono::steady_clock::now() - start < std::chrono::minutes(3));  // stuck, not slow
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     frames();
   }
