@@ -22,8 +22,7 @@ bool RoundInProgress::try_split(std::size_t t) {
   if (!split_template(result_.templates[t], members, fit_options_, options_, threads_, counted_, split,
                       least_gain))
     return false;
-  const double needed = options_.divided_share * static_cast<double>(members.judging);
-  if (!split || static_cast<double>(split->agreeing) < needed) return true;
+  if (!split) return true;
   const std::string name = result_.templates[t].part_template.name;
   for (std::size_t m = 0; m < indices.size(); ++m) {
     const std::size_t side = split->sides[m];

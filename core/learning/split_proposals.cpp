@@ -17,10 +17,15 @@ namespace {
 
 using Members = std::vector<std::size_t>;  // indices
 
-// Those that have each part, and those that lack it.
-std::vector<Members> presence_clusters(const TemplateMembers& members, std::size_t parts) {
+// Those that have each part, and those that lack it; of the parts of which these are not `known` already.
+std::vector<Members> presence_clusters(const TemplateMembers& members, std::size_t parts,
+                                       const TemplateMembers* known = nullptr) {
   std::vector<Members> result;
   for (std::size_t k = 0; k < parts; ++k) {
+    const auto same = [k](const Sighting& a, const Sighting& b) {
+      return a.parts[k].present == b.parts[k].present;
+    };
+    if (known && std::ranges::equal(members.seen, known->seen, same)) continue;
     Members having;
     Members lacking;
     for (std::size_t i = 0; i < members.seen.size(); ++i)
@@ -100,8 +105,11 @@ PartTemplate moved_to(PartTemplate part_template, const PartTemplate& estimate) 
 // Makes templates of clusters of the members.
 class Cutter {
  public:
-  Cutter(const LearnedTemplate& parent, const TemplateMembers& members, const LearnOptions& options)
-      : parent_(parent.part_template), members_(members), options_(options) {}
+  Cutter(const LearnedTemplate& parent, const TemplateMembers& members, const LearnOptions& options,
+         bool at_even_odds = false)
+      : parent_(parent.part_template), members_(members), options_(options), at_even_odds_(at_even_odds) {}
+
+  bool at_even_odds() const { return at_even_odds_; }
 
   LearnedTemplate estimated(const Members& cluster) const {
     std::vector<std::vector<PartObservation>> observed;
@@ -130,14 +138,14 @@ class Cutter {
   const PartTemplate& parent_;
   const TemplateMembers& members_;
   const LearnOptions& options_;
+  bool at_even_odds_;
 };
 
 // Collects divisions that leave enough shapes on each side and that are not there yet.
 class Proposals {
  public:
-  Proposals(const Cutter& cutter, std::size_t members, const LearnOptions& options)
-      : cutter_(cutter),
-        members_(members),
+  Proposals(std::size_t members, const LearnOptions& options)
+      : members_(members),
         least_(std::max(
             options.smallest_learning_set,
             static_cast<std::size_t>(std::ceil(options.cluster_share * static_cast<double>(members))))),
@@ -149,12 +157,12 @@ class Proposals {
   using MakeChild = LearnedTemplate (Cutter::*)(const Members&) const;
 
   // Each cluster against the rest, and three of them against each other.
-  void add(const std::vector<Members>& clusters, MakeChild make_child) {
-    for (const Members& each : clusters) add_sides({each}, make_child);
+  void add(const std::vector<Members>& clusters, const Cutter& cutter, MakeChild make_child) {
+    for (const Members& each : clusters) add_sides({each}, cutter, make_child);
     if (clusters.size() == 3) {
       std::vector<Members> smaller = clusters;
       smaller.erase(std::ranges::max_element(smaller, {}, &Members::size));
-      add_sides(smaller, make_child);
+      add_sides(smaller, cutter, make_child);
     }
   }
 
@@ -162,7 +170,7 @@ class Proposals {
 
  private:
   // A child for each of the clusters; what none of them holds stays with the parent.
-  void add_sides(const std::vector<Members>& clusters, MakeChild make_child) {
+  void add_sides(const std::vector<Members>& clusters, const Cutter& cutter, MakeChild make_child) {
     Sides sides(members_, 0);
     for (std::size_t k = 0; k < clusters.size(); ++k)
       for (const std::size_t i : clusters[k]) sides[i] = k + 1;
@@ -172,8 +180,9 @@ class Proposals {
       if (sides[i] == 0) rest.push_back(i);
     SplitProposal& proposal = proposals_.emplace_back();
     proposal.sides = std::move(sides);
-    proposal.templates.push_back(cutter_.estimated(rest));
-    for (const Members& each : clusters) proposal.templates.push_back((cutter_.*make_child)(each));
+    proposal.at_even_odds = cutter.at_even_odds();
+    proposal.templates.push_back(cutter.estimated(rest));
+    for (const Members& each : clusters) proposal.templates.push_back((cutter.*make_child)(each));
   }
 
   bool large_enough(const Sides& sides, std::size_t count) const {
@@ -198,7 +207,6 @@ class Proposals {
     });
   }
 
-  const Cutter& cutter_;
   std::size_t members_;
   std::size_t least_;
   double alike_;  // so many shapes elsewhere make no other division
@@ -209,16 +217,21 @@ class Proposals {
 }  // namespace
 
 std::vector<SplitProposal> split_proposals(const LearnedTemplate& parent, const TemplateMembers& members,
-                                           const LearnOptions& options) {
+                                           const TemplateMembers& at_even_odds, const LearnOptions& options) {
   const std::size_t parts = parent.part_template.parts.size();
   const Cutter cutter(parent, members, options);
-  Proposals proposals(cutter, members.seen.size(), options);
-  for (const auto& each : partitions(extents(members))) proposals.add(each, &Cutter::stretched);
+  Proposals proposals(members.seen.size(), options);
+  for (const auto& each : partitions(extents(members))) proposals.add(each, cutter, &Cutter::stretched);
   // A floor lamp is no table lamp that was stretched: its shade stays as it is.
   proposals.begin_others();
-  for (const auto& each : partitions(profiles(members))) proposals.add(each, &Cutter::estimated);
-  proposals.add(presence_clusters(members, parts), &Cutter::estimated);
-  for (const auto& each : partitions(arrangements(members, parts))) proposals.add(each, &Cutter::estimated);
+  for (const auto& each : partitions(profiles(members))) proposals.add(each, cutter, &Cutter::estimated);
+  proposals.add(presence_clusters(members, parts), cutter, &Cutter::estimated);
+  for (const auto& each : partitions(arrangements(members, parts)))
+    proposals.add(each, cutter, &Cutter::estimated);
+  // The same sides may come again: arms that are seen on both tell nothing of them.
+  proposals.begin_others();
+  const Cutter even_cutter(parent, at_even_odds, options, true);
+  proposals.add(presence_clusters(at_even_odds, parts, &members), even_cutter, &Cutter::estimated);
   return proposals.take();
 }
 

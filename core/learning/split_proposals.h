@@ -34,6 +34,7 @@ using Sides = std::vector<std::size_t>;  // by member: the template of a divisio
 struct SplitProposal {
   Sides sides;
   std::vector<LearnedTemplate> templates;  // to begin with; the first takes its parent's place
+  bool at_even_odds = false;               // made from, and to be divided with, the members as seen so
 };
 
 // For shapes whose parts are arranged alike, for shapes that have a part that others lack, for shapes that
@@ -42,8 +43,11 @@ struct SplitProposal {
 // shapes: a chair fits a bench badly, and where its parts have come to lie on one then tells nothing. A
 // division may be proposed twice, with a child that was stretched and with one that was estimated. All are
 // drawn to where their clusters were found in later estimates, up to the first with their siblings
-// (estimate_siblings.h). Some 20 of them.
+// (estimate_siblings.h). Where the members have a part or lack it otherwise when what was known of its
+// existence is no evidence (`at_even_odds`, the same members in the same order), those that have it and those
+// that lack it are proposed once more from these: arms that were taken to be nearly certain are seen on plain
+// chairs. Some 20 of them, and up to two a part more.
 std::vector<SplitProposal> split_proposals(const LearnedTemplate& parent, const TemplateMembers& members,
-                                           const LearnOptions& options);
+                                           const TemplateMembers& at_even_odds, const LearnOptions& options);
 
 }  // namespace archetype

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "core/learning/parameter_cost.h"
 
@@ -45,6 +46,14 @@ class Division {
     return sum;
   }
 
+  // So many of the judging members fit better.
+  std::size_t agreeing() const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < members_->judging; ++i)
+      count += seen_[sides_[i]][i].choice < members_->seen[i].choice ? 1 : 0;
+    return count;
+  }
+
   bool balanced(std::size_t least) const {
     for (std::size_t side = 0; side < templates_.size(); ++side) {
       if (static_cast<std::size_t>(std::ranges::count(sides_, side)) < least) return false;
@@ -81,10 +90,7 @@ class Division {
     split.templates = templates_;
     split.sides = sides_;
     split.gain = gain;
-    for (std::size_t i = 0; i < sides_.size(); ++i) {
-      split.seen.push_back(seen_[sides_[i]][i]);
-      if (i < members_->judging) split.agreeing += split.seen[i].choice < members_->seen[i].choice ? 1 : 0;
-    }
+    for (std::size_t i = 0; i < sides_.size(); ++i) split.seen.push_back(seen_[sides_[i]][i]);
     return split;
   }
 
@@ -95,6 +101,30 @@ class Division {
   Sides sides_;
   std::vector<std::vector<Sighting>> seen_;  // by template; the children's are empty before advance()
 };
+
+// The members with the parts that they are seen to have where what was known of their existence is no
+// evidence for them: arms that were taken to be nearly certain are seen on plain chairs, too, and nothing
+// would part these from armchairs. Only the parts are new, so that gains are still counted from the fits as
+// they are. One fit a member, in the yaw that it has. Nothing if cancelled.
+std::optional<TemplateMembers> with_parts_at_even_odds(const LearnedTemplate& parent,
+                                                       const TemplateMembers& members,
+                                                       const FitOptions& fit_options, unsigned threads,
+                                                       const JobControl& control) {
+  FitOptions even = fit_options;
+  even.odds_weight = 0;
+  std::vector<LearningShape> shapes = members.shapes;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const auto yaw = static_cast<std::size_t>(members.seen[i].yaw_quarters);
+    const double cost = shapes[i].yaw_costs[yaw];
+    shapes[i].yaw_costs.fill(std::numeric_limits<double>::infinity());
+    shapes[i].yaw_costs[yaw] = cost;
+  }
+  const auto seen = sightings(parent.part_template, shapes, even, threads, control);
+  if (!seen) return std::nullopt;
+  TemplateMembers result = members;
+  for (std::size_t i = 0; i < shapes.size(); ++i) result.seen[i].parts = (*seen)[i].parts;
+  return result;
+}
 
 // By which the choice energies of the judging members fall where the parent is estimated anew from all of
 // them. Nothing if cancelled.
@@ -119,14 +149,21 @@ bool split_template(const LearnedTemplate& parent, const TemplateMembers& member
                     const FitOptions& fit_options, const LearnOptions& options, unsigned threads,
                     const JobControl& control, std::optional<TemplateSplit>& split, double least_gain) {
   split.reset();
-  // What the same estimate gains without any division is no reason for one.
-  std::optional<double> without = gain_of_whole(parent, members, fit_options, options, threads, control);
-  if (!without) return false;
-  *without -= parameter_cost(parent.part_template, parent.initial, members.judging, fit_options, options);
-  const auto gain = [&](const Division& division) { return division.gain(fit_options, options) - *without; };
+  const auto even = with_parts_at_even_odds(parent, members, fit_options, threads, control);
+  if (!even) return false;
+  // What the same estimates gain without any division is no reason for one.
+  double without = 0;
+  for (const TemplateMembers* each : {&members, &*even}) {
+    const auto gained = gain_of_whole(parent, *each, fit_options, options, threads, control);
+    if (!gained) return false;
+    without = std::max(without, *gained);
+  }
+  without -= parameter_cost(parent.part_template, parent.initial, members.judging, fit_options, options);
+  const auto gain = [&](const Division& division) { return division.gain(fit_options, options) - without; };
   std::vector<Division> started;
-  for (SplitProposal& proposal : split_proposals(parent, members, options)) {
-    Division division(parent, std::move(proposal), members);
+  for (SplitProposal& proposal : split_proposals(parent, members, *even, options)) {
+    const TemplateMembers& its_members = proposal.at_even_odds ? *even : members;
+    Division division(parent, std::move(proposal), its_members);
     if (!division.advance(fit_options, options, threads, control)) return false;
     if (division.balanced(options.smallest_learning_set)) started.push_back(std::move(division));
   }
@@ -135,6 +172,7 @@ bool split_template(const LearnedTemplate& parent, const TemplateMembers& member
   double most = 0;                     // beyond what is needed
   const auto share =
       static_cast<std::size_t>(std::ceil(options.cluster_share * static_cast<double>(members.shapes.size())));
+  const double least_agreeing = options.divided_share * static_cast<double>(members.judging);
   for (Division& division : started) {
     if (++taken[division.sides()] > followed) continue;
     for (int step = 1; step < divisions && division.balanced(options.smallest_learning_set); ++step) {
@@ -143,7 +181,7 @@ bool split_template(const LearnedTemplate& parent, const TemplateMembers& member
     if (!division.balanced(std::max(options.smallest_cluster, share))) continue;
     const double needed = (division.balanced(options.smallest_sure_cluster) ? 1 : 2) * least_gain;
     const double gained = gain(division);
-    if (gained - needed <= most) continue;
+    if (gained - needed <= most || static_cast<double>(division.agreeing()) < least_agreeing) continue;
     most = gained - needed;
     split = division.result(gained);
   }

@@ -25,7 +25,7 @@ namespace {
 
 // Another one where the same request leads to other templates than before: what an earlier program began is
 // not gone on with, but begun anew.
-constexpr int method = 5;
+constexpr int method = 6;
 
 }  // namespace
 

@@ -61,12 +61,65 @@ TEST_CASE("benches get a template of their own, and no chair takes it") {
   CHECK(benches.parts.size() == chairs.parts.size());
 }
 
+TEST_CASE("chairs part by arms that were taken to be certain") {
+  Case given;
+  add_chairs(given.shapes, "plain", 6, points);
+  add_chairs(given.shapes, "arms", 6, points);
+  GenerateOptions with_arms;
+  with_arms.styles = {"arms"};
+  PartTemplate start = template_from(make_shape("chairs", with_arms, 0));
+  for (TemplatePart& part : start.parts) part.existence = 0.99;
+  given.parent = {start, start};
+  const auto& names = family_names("chairs").labels;
+  const auto arm = static_cast<int>(std::ranges::find(names, "arm") - names.begin());
+  const TemplateMembers members = given.members();
+  int arms_on_plain_chairs = 0;
+  for (std::size_t k = 0; k < start.parts.size(); ++k)
+    for (std::size_t i = 0; start.parts[k].label == arm && i < 6; ++i)
+      arms_on_plain_chairs += members.seen[i].parts[k].present ? 1 : 0;
+  REQUIRE(arms_on_plain_chairs >= 12);
+  std::optional<TemplateSplit> split;
+  REQUIRE(split_template(given.parent, members, {}, {}, 2, {}, split));
+  REQUIRE(split);
+  REQUIRE(one_to_one(split->sides, {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1}));
+  const auto least_existence_of_arms = [&](std::size_t side) {
+    double least = 1;
+    for (const TemplatePart& part : split->templates[side].part_template.parts)
+      if (part.label == arm) least = std::min(least, part.existence);
+    return least;
+  };
+  // Of the plain ones one arm still finds something at their sides.
+  CHECK(least_existence_of_arms(split->sides.front()) < 0.5);
+  CHECK(least_existence_of_arms(split->sides.back()) > 0.9);
+}
+
+TEST_CASE("parts that are seen otherwise at even odds are proposed to be divided by, once more") {
+  Case given;
+  add_chairs(given.shapes, "plain", 8, points);
+  const TemplateMembers members = given.members();
+  const auto even = [](const SplitProposal& each) { return each.at_even_odds; };
+  CHECK(std::ranges::count_if(split_proposals(given.parent, members, members, {}), even) == 0);
+  TemplateMembers at_even_odds = members;
+  for (std::size_t i = 0; i < 4; ++i) at_even_odds.seen[i].parts[1].present = false;
+  const auto proposals = split_proposals(given.parent, members, at_even_odds, {});
+  const auto found = std::ranges::find_if(proposals, even);
+  REQUIRE(found != proposals.end());
+  CHECK(std::ranges::count_if(proposals, even) == 1);
+  CHECK(one_to_one(found->sides, {0, 0, 0, 0, 1, 1, 1, 1}));
+  const auto existence = [&](std::size_t member) {
+    return found->templates[found->sides[member]].part_template.parts[1].existence;
+  };
+  CHECK(existence(0) < 0.5);
+  CHECK(existence(7) > 0.5);
+}
+
 TEST_CASE("proposals are divisions that leave enough on both sides, once with each kind of child") {
   Case given;
   add_chairs(given.shapes, "plain", 6, points);
   add_chairs(given.shapes, "bench", 6, points);
   add_chairs(given.shapes, "high", 6, points);
-  const auto proposals = split_proposals(given.parent, given.members(), {});
+  const TemplateMembers members = given.members();
+  const auto proposals = split_proposals(given.parent, members, members, {});
   REQUIRE_FALSE(proposals.empty());
   bool in_three = false;
   for (const SplitProposal& each : proposals) {
@@ -111,15 +164,32 @@ TEST_CASE("what leaves few shapes on a side has to gain twice as much, and none 
   CHECK_FALSE(is_by_kind(split(0)));
 }
 
-TEST_CASE("a division that is cancelled says so") {
+TEST_CASE("a division needs enough shapes that fit better") {
+  Case given;
+  add_chairs(given.shapes, "plain", 6, points);
+  add_chairs(given.shapes, "bench", 6, points);
+  LearnOptions options;
+  options.divided_share = 1.1;  // more than there are
+  std::optional<TemplateSplit> split;
+  REQUIRE(split_template(given.parent, given.members(), {}, options, 2, {}, split));
+  CHECK_FALSE(split);
+}
+
+TEST_CASE("a division that is cancelled says so, at once and later") {
   Case given;
   add_chairs(given.shapes, "plain", 6, points);
   add_chairs(given.shapes, "bench", 6, points);
   const TemplateMembers members = given.members();
-  std::stop_source source;
-  source.request_stop();
-  std::optional<TemplateSplit> split;
-  JobControl control;
-  control.stop = source.get_token();
-  CHECK_FALSE(split_template(given.parent, members, {}, {}, 2, control, split));
+  // Before any fit, among those of the undivided template, and among those of the proposals.
+  for (const int after : {0, 18, 60}) {
+    std::stop_source source;
+    int fits = 0;
+    if (after == 0) source.request_stop();
+    const JobControl control{source.get_token(), [&](std::size_t, std::size_t, std::string_view) {
+                               if (++fits == after) source.request_stop();
+                             }};
+    std::optional<TemplateSplit> split;
+    CHECK_FALSE(split_template(given.parent, members, {}, {}, 1, control, split));
+    CHECK(fits <= after + 1);
+  }
 }
