@@ -48,7 +48,7 @@ std::string sum_of(const Alternatives& all, const FitAlternative& alternative,
   if (energy >= missing_must_exist_energy) {
     text += ": a part that must exist was not found";
   } else {
-    text += "\nenergy of the fit  " + number(energy) + "\nspreads of the template  " +
+    text += "\nenergy of the fit  " + number(energy) + "\nto compare templates  " +
             number(alternative.choice - energy);
     if (!std::isfinite(decides))
       text += "\nother shapes are so clearly against this yaw that it is not tried";
@@ -98,8 +98,8 @@ void draw_decision(Studio& studio, const Alternatives& all) {
                                     : "The least decides.");
   tooltip(
       "The energy of the fit, with what the spreads of its template cost (a template that expects nothing in "
-      "particular would fit every shape), and what other shapes say of the yaw. Point at a number to see its "
-      "sum.");
+      "particular would fit every shape), with its distances weighted alike for all "
+      "templates, and what other shapes say of the yaw. Point at a number to see its sum.");
 }
 
 void draw_alternatives(Studio& studio) {

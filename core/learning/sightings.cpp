@@ -47,7 +47,7 @@ std::optional<std::vector<Sighting>> sightings(const PartTemplate& part_template
     const auto fit = fit_template(part_template, samples, shape_options, {control.stop, {}}, nullptr, pinned);
     if (!fit) return;
     Sighting& seen = result[i];
-    seen.choice = choice_energy(*fit, part_template, options) +
+    seen.choice = choice_energy(*fit, part_template, samples, options) +
                   shape_options.yaw_costs[static_cast<std::size_t>(fit->yaw_quarters)];
     seen.yaw_energies = fit->yaw_energies;
     seen.yaw_quarters = fit->yaw_quarters;

@@ -31,7 +31,7 @@ std::optional<std::vector<FitAlternative>> fit_alternatives(std::span<const Part
       }
       if (!fit || control.cancelled()) return std::nullopt;
       if (!std::isfinite(fit->energy.total())) continue;
-      const double choice = choice_energy(*fit, templates[t], options);
+      const double choice = choice_energy(*fit, templates[t], samples, options);
       alternatives.push_back({t, std::move(*fit), choice, std::move(recording.steps)});
     }
   }

@@ -244,7 +244,7 @@ class FitRun {
           fit_template(templates_[t], samples, options, stop_only_, nullptr, pinned);
       if (!fit) return {};
       if (!std::isfinite(fit->energy.total())) throw NumericError("the fit has no finite energy");
-      const double energy = choice_energy(*fit, templates_[t], options) +
+      const double energy = choice_energy(*fit, templates_[t], samples, options) +
                             options.yaw_costs[static_cast<std::size_t>(fit->yaw_quarters)];
       if (best && energy >= least) continue;
       least = energy;
