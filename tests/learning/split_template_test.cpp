@@ -90,7 +90,8 @@ TEST_CASE("chairs part by arms that were taken to be certain") {
   };
   // Of the plain ones one arm still finds something at their sides.
   CHECK(least_existence_of_arms(split->sides.front()) < 0.5);
-  CHECK(least_existence_of_arms(split->sides.back()) > 0.9);
+  // Of the armchairs one may miss one of its two.
+  CHECK(least_existence_of_arms(split->sides.back()) > 0.8);
 }
 
 TEST_CASE("parts that are seen otherwise at even odds are proposed to be divided by, once more") {
