@@ -33,10 +33,6 @@ double mean_feature_spread(const TemplatePart& part) {
   return sum / static_cast<double>(part.features.stddev.size());
 }
 
-double surface_area(const Vec3& half) {
-  return 8 * (half[0] * half[1] + half[1] * half[2] + half[2] * half[0]);
-}
-
 // E_s->t and E_t->s with the changes for comparisons.
 double compared_distances(const ShapeFit& fit, const PartTemplate& part_template, const ShapeSamples& samples,
                           const FitOptions& options) {

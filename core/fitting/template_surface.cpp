@@ -10,10 +10,6 @@ namespace archetype {
 
 namespace {
 
-double surface_area(const Vec3& half) {
-  return 8.0 * (half[0] * half[1] + half[1] * half[2] + half[2] * half[0]);
-}
-
 // Points of one box at about the given spacing.
 void sample_box(const Vec3& half, double spacing, std::vector<Vec3>& out) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -36,6 +32,10 @@ void sample_box(const Vec3& half, double spacing, std::vector<Vec3>& out) {
 }
 
 }  // namespace
+
+double surface_area(const Vec3& half) {
+  return 8.0 * (half[0] * half[1] + half[1] * half[2] + half[2] * half[0]);
+}
 
 TemplateSurface sample_template(const PartTemplate& part_template, int count) {
   double area = 0;

@@ -13,6 +13,9 @@ struct TemplateSurface {
   std::vector<std::uint32_t> begins;  // parts + 1 offsets into local
 };
 
+// Of a box with the half extents `half`.
+double surface_area(const Vec3& half);
+
 // About `count` points over all parts by the area of their mean boxes, on a regular grid over each face;
 // every part has at least 24.
 TemplateSurface sample_template(const PartTemplate& part_template, int count);
