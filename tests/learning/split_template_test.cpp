@@ -82,15 +82,29 @@ TEST_CASE("chairs part by arms that were taken to be certain") {
   REQUIRE(split_template(given.parent, members, {}, {}, 2, {}, split));
   REQUIRE(split);
   REQUIRE(one_to_one(split->sides, {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1}));
+  // Arms and their posts, seen by the template that each chair takes now.
+  const auto fewest_on = [&](std::size_t first, std::size_t end) {
+    long fewest = 12;
+    for (std::size_t k = 0; k < start.parts.size(); ++k) {
+      if (start.parts[k].label != arm) continue;
+      const auto has = [&](const Sighting& each) { return each.parts[k].present; };
+      const auto begin = split->seen.begin();
+      fewest = std::min<long>(
+          fewest, std::count_if(begin + static_cast<long>(first), begin + static_cast<long>(end), has));
+    }
+    return fewest;
+  };
+  // Of the plain ones one arm still finds something at their sides.
+  CHECK(fewest_on(0, 6) == 0);
+  CHECK(fewest_on(6, 12) == 6);
   const auto least_existence_of_arms = [&](std::size_t side) {
     double least = 1;
     for (const TemplatePart& part : split->templates[side].part_template.parts)
       if (part.label == arm) least = std::min(least, part.existence);
     return least;
   };
-  // Of the plain ones one arm still finds something at their sides.
   CHECK(least_existence_of_arms(split->sides.front()) < 0.5);
-  // Of the armchairs one may miss one of its two.
+  // Estimated from the fits before these, in which one chair's post, two or three of its points, was missed.
   CHECK(least_existence_of_arms(split->sides.back()) > 0.8);
 }
 
