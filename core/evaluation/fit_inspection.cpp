@@ -86,8 +86,8 @@ FitInspection inspect_fit(const PartTemplate& part_template, const ShapeSamples&
     throw PreconditionError("only a fit of these samples by this template can be inspected");
   const double unit = options.distance_unit * samples.radius;
   Inspected of{expected_template(part_template), samples, fit, options, unit * unit};
-  for (const Vec3& p : samples.points) of.points.push_back(fit.to_template(p));
-  for (const FittedPart& part : fit.parts) of.boxes.push_back(part.box);
+  of.points = fit.to_template(samples.points);
+  of.boxes = fit.boxes();
   const KdTree tree(samples.points);
   const TemplateSurface surface = sample_template(of.part_template, options.template_points);
   Correspondences matches;

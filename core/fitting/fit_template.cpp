@@ -148,9 +148,7 @@ struct NearStart {
   }
   // The mean boxes may not reach what the fit before has reached.
   Alternation from_fitted(const Fitter& fitter) const {
-    std::vector<Box> boxes;
-    for (const FittedPart& part : start.parts) boxes.push_back(part.box);
-    return fitter.start(start.yaw_quarters, start.translation, std::move(boxes), labels);
+    return fitter.start(start.yaw_quarters, start.translation, start.boxes(), labels);
   }
 };
 

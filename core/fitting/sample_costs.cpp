@@ -11,10 +11,8 @@ std::vector<double> sample_costs(const PartTemplate& part_template, const ShapeS
   const bool odd = (fit.yaw_quarters & 1) != 0;
   const std::vector<double> features = feature_costs(with_expected_features(part_template),
                                                      odd ? samples.features_z : samples.features_x, options);
-  std::vector<Vec3> points;
-  for (const Vec3& p : samples.points) points.push_back(fit.to_template(p));
-  std::vector<Box> boxes;
-  for (const FittedPart& part : fit.parts) boxes.push_back(part.box);
+  const std::vector<Vec3> points = fit.to_template(samples.points);
+  const std::vector<Box> boxes = fit.boxes();
   LabelCosts costs;
   label_costs(points, boxes, features, options.distance_unit * samples.radius, options, costs);
   std::vector<double> result;

@@ -9,12 +9,9 @@ namespace archetype {
 
 std::vector<Box> settle_boxes(const PartTemplate& part_template, const ShapeSamples& samples,
                               const ShapeFit& fit, const FitOptions& options, int steps) {
-  std::vector<Box> boxes;
-  for (const FittedPart& part : fit.parts) boxes.push_back(part.box);
+  std::vector<Box> boxes = fit.boxes();
   if (boxes.empty() || samples.size() == 0) return boxes;
-  std::vector<Vec3> points;
-  points.reserve(samples.size());
-  for (const Vec3& p : samples.points) points.push_back(fit.to_template(p));
+  const std::vector<Vec3> points = fit.to_template(samples.points);
   const KdTree tree(samples.points);
   const TemplateSurface surface = sample_template(part_template, options.template_points);
   const PlacedSamples placed{&tree, points, fit.yaw_quarters, fit.translation};

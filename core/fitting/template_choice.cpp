@@ -36,11 +36,8 @@ double mean_feature_spread(const TemplatePart& part) {
 // E_s->t and E_t->s with the changes for comparisons.
 double compared_distances(const ShapeFit& fit, const PartTemplate& part_template, const ShapeSamples& samples,
                           const FitOptions& options) {
-  std::vector<Box> boxes;
-  for (const FittedPart& part : fit.parts) boxes.push_back(part.box);
-  std::vector<Vec3> points;
-  points.reserve(samples.size());
-  for (const Vec3& p : samples.points) points.push_back(fit.to_template(p));
+  const std::vector<Box> boxes = fit.boxes();
+  const std::vector<Vec3> points = fit.to_template(samples.points);
   const TemplateSurface surface = sample_template(part_template, options.template_points);
   const KdTree tree(samples.points);
   Correspondences matches;

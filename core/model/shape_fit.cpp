@@ -16,8 +16,21 @@ Vec3 turn_quarters(const Vec3& p, int quarters) {
   }
 }
 
+std::vector<Box> ShapeFit::boxes() const {
+  std::vector<Box> result;
+  result.reserve(parts.size());
+  for (const FittedPart& part : parts) result.push_back(part.box);
+  return result;
+}
+
 Vec3 ShapeFit::to_template(const Vec3& p) const {
   return turn_quarters(p, -yaw_quarters) - translation;
+}
+std::vector<Vec3> ShapeFit::to_template(std::span<const Vec3> points) const {
+  std::vector<Vec3> result;
+  result.reserve(points.size());
+  for (const Vec3& p : points) result.push_back(to_template(p));
+  return result;
 }
 Vec3 ShapeFit::to_shape(const Vec3& q) const {
   return turn_quarters(q + translation, yaw_quarters);

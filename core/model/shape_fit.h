@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/geometry/box.h"
@@ -46,7 +47,10 @@ struct ShapeFit {
   // any shape has (fit_template.h). Infinite where not tried.
   std::array<double, 4> yaw_energies{};
 
+  std::vector<Box> boxes() const;  // one per template part
+
   Vec3 to_template(const Vec3& p) const;
+  std::vector<Vec3> to_template(std::span<const Vec3> points) const;
   Vec3 to_shape(const Vec3& q) const;
 };
 

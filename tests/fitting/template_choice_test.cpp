@@ -42,10 +42,8 @@ TEST_CASE("of the same fit, a template does not gain by expecting less of a part
   const auto shade = std::ranges::max_element(part_template.parts, {},
                                               [](const TemplatePart& part) { return part.scale.mean.x(); });
 
-  std::vector<Box> boxes;
-  for (const FittedPart& part : fit.parts) boxes.push_back(part.box);
-  std::vector<Vec3> points;
-  for (const Vec3& p : shape.samples.points) points.push_back(fit.to_template(p));
+  const std::vector<Box> boxes = fit.boxes();
+  const std::vector<Vec3> points = fit.to_template(shape.samples.points);
   const KdTree tree(shape.samples.points);
   const LabellingGraph graph = make_point_graph(shape.samples, {});
   const std::vector<double> features(points.size() * boxes.size(), 0.0);

@@ -195,8 +195,7 @@ ShapeFit alternate(const Plain& plain, const ShapeFit& start, std::vector<Box> b
 
 // The boxes of a fit with round solids where they are better; nothing if there are none.
 std::optional<std::vector<Box>> rounded(const Plain& plain, const ShapeFit& fit) {
-  std::vector<Box> boxes;
-  for (const FittedPart& part : fit.parts) boxes.push_back(part.box);
+  const std::vector<Box> boxes = fit.boxes();
   const Step at = make_step(plain, fit, boxes, std::vector<bool>(boxes.size(), false));
   const auto match = [&](std::span<const Box> tried, Correspondences& matches) {
     plain_match(at.points, fit.labels, tried, plain.surface, matches);
@@ -226,8 +225,7 @@ ShapeFit finished(const Plain& plain, ShapeFit best) {
   std::vector<bool> dropped(means.size(), false);
   if (const auto boxes = rounded(plain, best)) best = alternate(plain, best, *boxes, dropped, true);
   while (plain.options.drop_parts) {
-    std::vector<Box> boxes;
-    for (const FittedPart& part : best.parts) boxes.push_back(part.box);
+    std::vector<Box> boxes = best.boxes();
     const auto part = unfounded_part(plain, best, boxes, dropped);
     if (!part) break;
     dropped[*part] = true;
