@@ -110,7 +110,7 @@ void add_cost_of_turning(std::array<double, 4>& costs, std::optional<int> known)
 }
 
 AgreedYaws::AgreedYaws(std::span<const ShapeSamples> references,
-                       std::span<const std::array<double, 4>> energies) {
+                       std::span<const std::array<double, 4>> energies, const JobControl& control) {
   if (references.size() != energies.size()) throw PreconditionError("references need the energies of fits");
   const auto cheapest = [](const std::array<double, 4>& each) {
     return static_cast<std::size_t>(std::ranges::min_element(each) - each.begin());
@@ -118,6 +118,7 @@ AgreedYaws::AgreedYaws(std::span<const ShapeSamples> references,
   std::vector<std::array<FacingPicture, 4>> pictures;
   std::vector<std::size_t> yaws;
   for (std::size_t i = 0; i < references.size(); ++i) {
+    if (control.cancelled()) return;
     pictures.push_back(facing_pictures(references[i]));
     yaws.push_back(cheapest(energies[i]));
     references_.push_back(pictures[i][yaws[i]]);
@@ -127,6 +128,7 @@ AgreedYaws::AgreedYaws(std::span<const ShapeSamples> references,
   for (int round = 0; turned && round < most_rounds; ++round) {
     turned = false;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
+      if (control.cancelled()) return;
       std::array<double, 4> sum = costs(pictures[i], i);
       for (std::size_t yaw = 0; yaw < 4; ++yaw) sum[yaw] += energies[i][yaw];
       const std::size_t best = cheapest(sum);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/job_control.h"
 #include "core/model/shape.h"
 
 namespace archetype {
@@ -30,8 +31,9 @@ class AgreedYaws {
   static constexpr std::size_t most_references = 64;
 
   // energies: those that the fits of each reference reached in each yaw; infinite where not known, but not
-  // all four. About 1 ms per reference.
-  AgreedYaws(std::span<const ShapeSamples> references, std::span<const std::array<double, 4>> energies);
+  // all four. Some ms per reference. To be left alone if cancelled.
+  AgreedYaws(std::span<const ShapeSamples> references, std::span<const std::array<double, 4>> energies,
+             const JobControl& control = {});
 
   // What each yaw of a shape costs beside its energy (FitOptions::yaw_costs): 0 for the one that the
   // references are for, infinite where they are so clearly against it that it need not be tried. All 0 if

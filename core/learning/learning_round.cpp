@@ -44,7 +44,7 @@ RoundInProgress::RoundInProgress(std::span<const LearnedTemplate> templates,
 
 std::optional<LearningRound> RoundInProgress::run() {
   planned_ = result_.templates.size() * (judging_ + shapes_.size()) + fits_of_updates(families()) +
-             fits_of_division * shapes_.size();
+             fits_of_division(0) * shapes_.size();
   if (!fit_all()) return std::nullopt;
   result_.energy_before = mean_energy();
   const std::size_t count = result_.templates.size();
@@ -118,7 +118,7 @@ void RoundInProgress::plan(std::size_t fits, std::size_t first) {
     }
     const bool divided = !result_.origins[t].changed && members >= 2 * options_.smallest_cluster &&
                          !about_undivided(result_.templates[t].undivided, judges);
-    if (divided) fits += fits_of_division * members;
+    if (divided) fits += fits_of_division(t) * members;
   }
   planned_ = fitted_ + fits;
 }
@@ -130,6 +130,10 @@ std::size_t RoundInProgress::fits_of_updates(std::span<const std::vector<std::si
   return fits;
 }
 
+std::size_t RoundInProgress::fits_of_division(std::size_t t) const {
+  return 90 + 5 * result_.templates[t].part_template.parts.size();
+}
+
 bool RoundInProgress::fit_all() {
   if (!take_best(judging_)) return false;
   std::vector<std::array<double, 4>> energies;
@@ -137,7 +141,8 @@ bool RoundInProgress::fit_all() {
     energies.push_back(taken_[i].seen.yaw_energies);
     add_cost_of_turning(energies.back(), known_yaw(i));
   }
-  const AgreedYaws agreed(judging_samples_, energies);
+  const AgreedYaws agreed(judging_samples_, energies, control_);
+  if (control_.cancelled()) return false;
   std::vector<std::array<double, 4>> votes(shapes_.size());
   const auto ask = [&](std::size_t i) { votes[i] = agreed.costs(*shapes_[i].samples); };
   if (!parallel_for(shapes_.size(), threads_, {control_.stop, {}}, "", ask)) return false;

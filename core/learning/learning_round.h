@@ -48,8 +48,8 @@ struct LearningRound {
 // any. Progress counts the fits of the round, with those ahead as far as it can be told. Deterministic
 // whatever the number of threads; about 2 fits per template and judging shape and one per other shape, one
 // more per judging shape for a template without siblings, 2 to 8 more per template and shape for those that
-// have some, and those of the divisions, some 80 per shape. Differs from the paper, which keeps every round's
-// templates: so learning can leave a collection worse.
+// have some, and those of the divisions, some 90 and 5 for each part per shape. Differs from the paper, which
+// keeps every round's templates: so learning can leave a collection worse.
 //
 // corrections: what was corrected by hand, one per shape with the judging ones first, null where nothing was;
 // or none at all. Pinned yaws, templates and labels hold in all fits, and pinned yaws count when yaws are

@@ -50,7 +50,8 @@ void set_gaussians(const std::vector<Estimate>& estimates, const std::vector<Gau
     gaussian.mean = seen.mean(gaussian, options.prior_shapes_of_means);
     gaussian.stddev =
         ((s * factor * gaussian.stddev.cwiseAbs2() + seen.scatter(gaussian.mean)) / (s + seen.count))
-            .cwiseSqrt();
+            .cwiseSqrt()
+            .cwiseMax(options.smallest_spread);
   }
 }
 

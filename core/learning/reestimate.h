@@ -27,7 +27,8 @@ std::vector<PartObservation> observe_parts(const ShapeFit& fit, const ShapeSampl
 // shape, each with one observation per part), shrunk towards `initial`, what was known before: its means
 // count as options.prior_shapes_of_means shapes, its spreads as options.prior_shapes_of_spreads, after the
 // prior variances of all parts were multiplied by one factor for positions and one for sizes, which the
-// shapes tell (at least options.smallest_spread_factor, at most 1). Differs from the paper, which has no
+// shapes tell (at least options.smallest_spread_factor, at most 1). No spread is less than
+// options.smallest_spread. Differs from the paper, which has no
 // prior: a spread of five shapes may be anything. Both have the same parts; names, labels and must_exist are
 // kept. Parts that no shape has keep their means.
 PartTemplate reestimate(const PartTemplate& initial, std::span<const std::vector<PartObservation>> observed,

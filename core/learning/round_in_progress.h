@@ -33,8 +33,6 @@ class RoundInProgress {
  private:
   // A change that gains less than this for each shape is none.
   static constexpr double smallest_gain = 1e-3;
-  // That a division costs for each member, rather too many than too few: for the progress.
-  static constexpr std::size_t fits_of_division = 100;
   // So often at most are siblings estimated one time after the other, and so often mostly.
   static constexpr int most_steps = 8;
   static constexpr std::size_t steps_of_siblings = 4;
@@ -79,15 +77,21 @@ class RoundInProgress {
   bool try_update(std::size_t t);
   // All templates, those that have the same parts together.
   std::vector<std::vector<std::size_t>> families() const;
+  // For each member of template `t` (split_template.h with the proposals that its parts allow), rather too
+  // many than too few: for the progress.
+  std::size_t fits_of_division(std::size_t t) const;
   // About, for the progress.
   std::size_t fits_of_updates(std::span<const std::vector<std::size_t>> families) const;
-  // Estimates `siblings` together from all shapes that take them, and lets these choose anew, until the
-  // energy falls no more, at most most_steps times. Kept if it has fallen, both beside what was known of each
-  // and beside what all of their shapes say as one. Differs from the paper, which learns from the best fits:
-  // of nine chairs the best seven make all spreads wider, as fewer say less against what was known.
+  // Estimates `siblings` together from all shapes that take them but outliers, and lets these choose anew,
+  // until the energy falls no more, at most most_steps times. Kept if it has fallen, both beside what was
+  // known of each and beside what all of their shapes say as one. Differs from the paper, which learns from
+  // the best fits: of nine chairs the best seven make all spreads wider, as fewer say less against what was
+  // known.
   bool try_siblings(const std::vector<std::size_t>& siblings);
+  // By shape of the family: whether it is learned from. All but outliers, which are if that was said.
+  std::vector<bool> teaching(const Family& family, const Chosen& chosen) const;
   // Its templates from what its shapes say of them now. Takes the observations.
-  void estimate_together(Family& family) const;
+  void estimate_together(Family& family, const Chosen& chosen) const;
   // The best of the family for each of its shapes. Throws NumericError as take_best() does.
   bool choose_again(Family& family, const std::vector<std::size_t>& siblings, const Chosen& chosen);
   // Of its judging shapes, the first ones, with what the templates cost beside `known`, or each beside its

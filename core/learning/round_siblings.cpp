@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/base/error.h"
@@ -43,10 +44,23 @@ double RoundInProgress::family_energy(const Family& family, std::size_t judging,
   return sum;
 }
 
-void RoundInProgress::estimate_together(Family& family) const {
-  std::vector<std::vector<std::vector<PartObservation>>> observed(family.templates.size());
+std::vector<bool> RoundInProgress::teaching(const Family& family, const Chosen& chosen) const {
+  std::vector<double> least(family.templates.size(), std::numeric_limits<double>::infinity());
   for (std::size_t m = 0; m < family.seen.size(); ++m)
-    observed[family.sides[m]].push_back(std::move(family.seen[m].parts));
+    least[family.sides[m]] = std::min(least[family.sides[m]], family.seen[m].energy);
+  std::vector<bool> result;
+  for (std::size_t m = 0; m < family.seen.size(); ++m) {
+    const double bound = options_.outlier_factor * options_.tau * least[family.sides[m]];
+    result.push_back(family.seen[m].energy <= bound || must_learn(chosen.indices[m]));
+  }
+  return result;
+}
+
+void RoundInProgress::estimate_together(Family& family, const Chosen& chosen) const {
+  std::vector<std::vector<std::vector<PartObservation>>> observed(family.templates.size());
+  const std::vector<bool> teaches = teaching(family, chosen);
+  for (std::size_t m = 0; m < family.seen.size(); ++m)
+    if (teaches[m]) observed[family.sides[m]].push_back(std::move(family.seen[m].parts));
   family.templates = estimate_siblings(family.templates, observed, options_);
 }
 
@@ -83,7 +97,9 @@ bool RoundInProgress::try_siblings(const std::vector<std::size_t>& siblings) {
   // Beside what was known of each, and beside what all their shapes say as one, without which any would be
   // better than those that were there: they are drawn to where their own shapes are.
   std::vector<std::vector<PartObservation>> all;
-  for (const Sighting& each : now.seen) all.push_back(each.parts);
+  const std::vector<bool> teaches = teaching(now, chosen);
+  for (std::size_t m = 0; m < now.seen.size(); ++m)
+    if (teaches[m]) all.push_back(now.seen[m].parts);
   const PartTemplate whole = reestimate(now.templates.front().initial, all, options_);
   const auto energies = [&](const Family& family) {
     return std::array{family_energy(family, judging, nullptr), family_energy(family, judging, &whole)};
@@ -92,7 +108,7 @@ bool RoundInProgress::try_siblings(const std::vector<std::size_t>& siblings) {
   double gained = 0;
   Family best;
   for (int step = 0; step < most_steps; ++step) {
-    estimate_together(now);
+    estimate_together(now, chosen);
     if (!choose_again(now, siblings, chosen)) return false;
     const auto after = energies(now);
     const double gain = std::min(known_energies[0] - after[0], known_energies[1] - after[1]);

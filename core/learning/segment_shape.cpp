@@ -215,6 +215,7 @@ std::optional<Segmentation> segment_shape(const ShapeSamples& samples, const Seg
   const auto seeds = seeds_per_part * static_cast<std::size_t>(options.max_parts);
   Labels labels = farthest_regions(samples.points, seeds, options.seed);
   Segmentation best;
+  Segmentation first;
   // Once from the cells, and once from what the parts found then have become.
   for (int round = 0; round < 2; ++round) {
     RegionTree tree(samples, graph, labels, unit, spacing, options.solids, control);
@@ -229,10 +230,13 @@ std::optional<Segmentation> segment_shape(const ShapeSamples& samples, const Seg
       best.cost = cost;
     } while (static_cast<int>(tree.count()) > options.min_parts && tree.join_cheapest());
     if (round == 1) break;
+    first = best;
     const std::optional<Labels> next = relabel(samples, best, control);
     if (!next) return std::nullopt;
     labels = *next;
   }
+  // Letting the samples go may have left parts without any.
+  if (static_cast<int>(best.boxes.size()) < options.min_parts) return first;
   return best;
 }
 

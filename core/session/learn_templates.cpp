@@ -25,22 +25,23 @@ namespace {
 
 // Another one where the same request leads to other templates than before: what an earlier program began is
 // not gone on with, but begun anew.
-constexpr int method = 6;
+constexpr int method = 7;
 
 }  // namespace
 
 ContentHash learn_request(const Project& project, const std::vector<PartTemplate>& initial,
                           const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed) {
   // Taken apart by position, so that an option which is added there and forgotten here does not compile.
-  const auto& [iterations, sample_size, learning_share, tau, smallest_set, means, spreads, spread_factor,
-               feature_spread, agreeing_share, divided_share, least_gain, cluster_share, smallest_cluster,
-               smallest_sure_cluster] = options;
+  const auto& [iterations, sample_size, learning_share, tau, outlier_factor, smallest_set, means, spreads,
+               spread_factor, spread, feature_spread, agreeing_share, divided_share, least_gain,
+               cluster_share, smallest_cluster, smallest_sure_cluster] = options;
+  static_cast<void>(iterations);
   std::string text = std::to_string(method) + "\n" + fit_state(initial, fit_options).to_hex() + "\n" +
                      std::to_string(seed) + "\n";
   for (const double value :
-       {static_cast<double>(iterations), static_cast<double>(sample_size), learning_share, tau,
-        static_cast<double>(smallest_set), means, spreads, spread_factor, feature_spread, agreeing_share,
-        divided_share, least_gain, cluster_share, static_cast<double>(smallest_cluster),
+       {static_cast<double>(sample_size), learning_share, tau, outlier_factor,
+        static_cast<double>(smallest_set), means, spreads, spread_factor, spread, feature_spread,
+        agreeing_share, divided_share, least_gain, cluster_share, static_cast<double>(smallest_cluster),
         static_cast<double>(smallest_sure_cluster)})
     text += number_text(value) + "\n";
   const Corrections corrections = project.corrections();
@@ -79,9 +80,6 @@ bool load(const Project& project, const std::vector<ShapeId>& ids, const JobCont
   return true;
 }
 
-// An outlier's energy is beyond this many times the bound of the learning set: the paper's 150 to 75.
-constexpr double outlier_factor = 2;
-
 class LearnRun {
  public:
   LearnRun(Project& project, const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed,
@@ -104,9 +102,10 @@ class LearnRun {
     report_.steps = state_.steps;
     report_.cancelled = !all;
     if (!all) return std::move(report_);
-    if (state_.ids.empty()) {  // no round was wanted
+    // No round was wanted, or none was left and other templates were fitted since the last.
+    if (state_.ids.empty() || current_templates(project_).ids != state_.ids) {
       Project::Transaction transaction(project_);
-      add_start();
+      if (state_.ids.empty()) add_start();
       store();
       transaction.commit();
     }
@@ -127,7 +126,8 @@ class LearnRun {
     const std::vector<ShapeId> judging = judging_shapes(shapes_, options_, seed_);
     if (!fresh) {
       std::optional<LearningState> stored = stored_learning_state(project_);
-      if (stored && stored->request == request && stored->judging == judging) {
+      if (stored && stored->request == request && stored->judging == judging &&
+          static_cast<int>(stored->steps.size()) <= options_.iterations) {
         state_ = std::move(*stored);
         return;
       }
@@ -237,8 +237,12 @@ class LearnRun {
 
   // Which fits the templates stand for, and which they do not explain.
   void mark_fits() {
-    const std::vector<FitSummary> fits = project_.fits();
+    std::vector<FitSummary> fits = project_.fits();
     std::map<TemplateId, double> least;
+    // A shape that the new templates could not be fitted to keeps the fit that it had.
+    std::erase_if(fits, [this](const FitSummary& fit) {
+      return std::ranges::find(state_.ids, fit.part_template) == state_.ids.end();
+    });
     for (const FitSummary& fit : fits) {
       if (corrections_.is_outlier(fit.shape)) continue;
       const auto [entry, fresh] = least.try_emplace(fit.part_template, fit.energy.total());
@@ -249,7 +253,7 @@ class LearnRun {
       const double bound = options_.tau * least[fit.part_template];
       FitStatus status = FitStatus::fitted;
       if (fit.energy.total() <= bound) status = FitStatus::learned;
-      if (fit.energy.total() > outlier_factor * bound) status = FitStatus::outlier;
+      if (fit.energy.total() > options_.outlier_factor * bound) status = FitStatus::outlier;
       if (corrections_.must_learn(fit.shape)) status = FitStatus::learned;
       if (corrections_.is_outlier(fit.shape)) status = FitStatus::outlier;
       report_.learned += status == FitStatus::learned;
@@ -297,6 +301,13 @@ std::vector<PartTemplate> learning_start(const Project& project) {
   std::optional<LearningState> stored = stored_learning_state(project);
   if (stored && stored->ids == current.ids) return std::move(stored->start);
   return std::move(current.templates);
+}
+
+bool can_go_on(const Project& project, const FitOptions& fit_options, const LearnOptions& options,
+               std::uint64_t seed) {
+  const std::optional<LearningState> stored = stored_learning_state(project);
+  return stored &&
+         stored->request == learn_request(project, stored->start, fit_options, options, seed).to_hex();
 }
 
 std::optional<double> score_after_trial(const Project& project, const PartTemplate& start,

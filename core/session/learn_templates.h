@@ -52,10 +52,17 @@ std::optional<LearningRecord> learning_record(const Project& project);
 // that learning began with. Empty for a project without templates.
 std::vector<PartTemplate> learning_start(const Project& project);
 
-// Of everything that decides what is learned: templates, options, seed, and the shapes with their samples
-// and corrections.
+// Of everything that decides what is learned in a round: templates, options, seed, and the shapes with their
+// samples and corrections. Not of options.iterations, which says how many there are at most: ten rounds are
+// gone on with where twenty are wanted.
 ContentHash learn_request(const Project& project, const std::vector<PartTemplate>& initial,
                           const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed);
+
+// Whether the learning that the project tells of is of these options and this seed, of the shapes as they are
+// and of what is corrected of them now: learn_templates() goes on with it from what it began with. False
+// where nothing was learned. About 10 ms for 10,000 shapes.
+bool can_go_on(const Project& project, const FitOptions& fit_options, const LearnOptions& options,
+               std::uint64_t seed);
 
 // The mean start_score() that a few rounds of learning from one template end with, on the shapes that would
 // judge it. It is not divided in these: of two starts the one that happens to divide in the second round, not
@@ -65,11 +72,13 @@ std::optional<double> score_after_trial(const Project& project, const PartTempla
                                         const FitOptions& fit_options, const LearnOptions& options,
                                         std::uint64_t seed, unsigned threads, const JobControl& control);
 
-// Refines and spawns templates round by round until a round keeps nothing new, then fits what was learned to
+// Refines and spawns templates round by round until a round keeps nothing new or there were
+// options.iterations, then fits what was learned to
 // every shape and labels it. A round is one transaction: its templates become the current ones and remember
 // their parents and the round; who stops before the first is through changes nothing. A stopped run goes on
 // there, and ends with the same bytes as one that was not stopped, if templates, options, seed, shapes and
-// what was corrected of them are the same; `fresh` starts over. Shapes marked as outliers take no part, those
+// what was corrected of them are the same; `fresh` starts over. Where no round is left, the templates of the
+// last one become the current ones again. Shapes marked as outliers take no part, those
 // marked to be learned from do in every round (beyond options.sample_size: as many of them, drawn anew);
 // pinned yaws, templates and labels hold (learning_round.h). Works on options.sample_size random shapes that
 // judge each round, and as many that change; holds only these. Throws PreconditionError without templates or

@@ -62,6 +62,14 @@ TEST_CASE("siblings have means of their own, and spreads that come of all of the
   CHECK(reestimate(siblings[1].initial, observed[1], {}).parts[0].position.stddev.y() < spread_of(found[1]));
 }
 
+TEST_CASE("what is the same on all shapes is not expected more closely with every estimate") {
+  std::vector siblings{known_within(0, 0.3), known_within(3, 0.3)};
+  const std::vector observed{at_heights({0, 0, 0, 0, 0, 0}), at_heights({3, 3, 3, 3, 3, 3})};
+  for (int step = 0; step < 40; ++step) siblings = estimate_siblings(siblings, observed, {});
+  CHECK(spread_of(siblings[0]) == LearnOptions{}.smallest_spread);
+  CHECK(spread_of(siblings[1]) == LearnOptions{}.smallest_spread);
+}
+
 TEST_CASE("a kind that varies more than its siblings still has wider spreads") {
   const std::vector siblings{known_within(0, 0.3), known_within(3, 0.3)};
   const auto found = estimate_siblings(

@@ -230,6 +230,16 @@ TEST_CASE("shapes that do not judge teach siblings too, and a stop between these
     CHECK(together->templates[t].part_template != alone->templates[t].part_template);
   }
 
+  // A lamp is an outlier to both, and teaches neither.
+  GenerateOptions lamp;
+  lamp.styles = {"floor"};
+  others.push_back(make_shape("lamps", lamp, 0, points).samples);
+  const auto with_lamp = round(others, {});
+  others.pop_back();
+  REQUIRE(with_lamp);
+  for (std::size_t t = 0; t < 2; ++t)
+    CHECK(with_lamp->templates[t].part_template == together->templates[t].part_template);
+
   // Two templates are fitted to the judges, and to all; what comes then is of the siblings.
   const std::size_t before = 2 * judging.size() + 2 * given.shapes.size();
   std::stop_source source;

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/session/import_shapes.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/small_collection.h"
@@ -44,6 +45,14 @@ struct Chairs {
     PartTemplate result = chair_template();
     for (TemplatePart& part : result.parts) part.scale.mean *= 1.3;
     return result;
+  }
+  // Shape, template, yaw and energy of all.
+  std::string fits() const {
+    std::string text;
+    for (const FitSummary& fit : project.fits())
+      text += std::to_string(fit.shape) + " " + std::to_string(fit.part_template) + " " +
+              std::to_string(fit.yaw_quarters) + " " + number_text(fit.energy.total()) + "\n";
+    return text;
   }
   std::vector<PartTemplate> learned() const {
     std::vector<PartTemplate> templates;
@@ -89,6 +98,58 @@ TEST_CASE("a learning that was stopped goes on where it was, to the same templat
   const LearnReport again = stopped.learn(10, true);
   CHECK(again.steps.size() == second.steps.size());
   CHECK(stopped.learned() == whole.learned());
+}
+
+TEST_CASE("ten rounds are gone on with where there were two, and begun anew where one is wanted") {
+  Chairs whole(20);
+  const LearnReport expected = whole.learn();
+  REQUIRE(expected.steps.size() > 2);
+  Chairs chairs(20);
+  CHECK(chairs.learn(2).steps.size() == 2);
+  std::set<std::string> rounds;
+  std::mutex mutex;
+  const JobControl control{{}, [&](std::size_t, std::size_t, std::string_view what) {
+                             const std::lock_guard lock(mutex);
+                             if (what.starts_with("learning, round ")) rounds.emplace(what.substr(0, 17));
+                           }};
+  CHECK(chairs.learn(10, false, control).steps.size() == expected.steps.size());
+  CHECK_FALSE(rounds.contains("learning, round 2"));
+  CHECK(rounds.contains("learning, round 3"));
+  CHECK(chairs.learned() == whole.learned());
+  CHECK(chairs.learn(1).steps.size() == 1);
+}
+
+TEST_CASE("where no round is left, what was learned becomes current again, with its parents and yaws") {
+  Chairs chairs(20);
+  CHECK_FALSE(can_go_on(chairs.project, {}, {}, 1));
+  chairs.learn();
+  const std::vector<TemplateRecord> learned = chairs.project.templates();
+  const std::string fits = chairs.fits();
+  fit_collection(chairs.project, {Chairs::start()}, {}, 2, {});
+  REQUIRE(chairs.learned() == std::vector{Chairs::start()});
+  chairs.learn();
+  const std::vector<TemplateRecord> again = chairs.project.templates();
+  REQUIRE(again.size() == learned.size());
+  for (std::size_t t = 0; t < again.size(); ++t) CHECK(again[t].id == learned[t].id);
+  CHECK(chairs.fits() == fits);
+  CHECK(learning_start(chairs.project) == std::vector{Chairs::start()});
+}
+
+TEST_CASE("a learning can be gone on with while its options, seed, shapes and corrections are the same") {
+  Chairs chairs(6);
+  chairs.learn(1);
+  LearnOptions options;
+  options.sample_size = 8;
+  CHECK(can_go_on(chairs.project, {}, options, 1));
+  CHECK_FALSE(can_go_on(chairs.project, {}, {}, 1));
+  CHECK_FALSE(can_go_on(chairs.project, {}, options, 2));
+  const ShapeId first = chairs.project.shape_ids().front();
+  ShapeCorrection turned;
+  turned.yaw_quarters = 1;
+  chairs.project.set_corrections({{first, std::make_shared<const ShapeCorrection>(turned)}});
+  CHECK_FALSE(can_go_on(chairs.project, {}, options, 1));
+  chairs.project.set_corrections({});
+  CHECK(can_go_on(chairs.project, {}, options, 1));
 }
 
 TEST_CASE("a learning that is stopped before its first round is through changes nothing") {
