@@ -1,5 +1,6 @@
 // archetype learn PROJECT [--template FILE]… [--iterations 10] [--fresh]
 #include <iostream>
+#include <map>
 
 #include "app/batch/command.h"
 #include "app/batch/json_output.h"
@@ -21,6 +22,30 @@ struct Arguments {
   bool fresh = false;
 };
 
+// A template that was learned, and how many shapes took it.
+struct Learned {
+  std::string name;
+  std::size_t parts = 0;
+  int born = 0;  // the round that its line was spawned in; 0: learning began with it
+  std::size_t shapes = 0;
+};
+
+std::vector<Learned> learned_templates(const Project& project) {
+  std::map<TemplateId, int> born;
+  if (const auto record = learning_record(project)) {
+    for (const LearningStep& step : record->steps)
+      for (std::size_t t = 0; t < step.templates.size(); ++t)
+        born[step.templates[t]] = record->lines[step.lines[t]].born;
+  }
+  std::map<TemplateId, std::size_t> shapes;
+  for (const FitSummary& fit : project.fits()) ++shapes[fit.part_template];
+  std::vector<Learned> learned;
+  for (const TemplateRecord& record : project.templates())
+    learned.push_back(
+        {record.part_template.name, record.part_template.parts.size(), born[record.id], shapes[record.id]});
+  return learned;
+}
+
 void print_report(const Project& project, const LearnReport& report, const Invocation& invocation) {
   if (invocation.json) {
     auto rounds = nlohmann::ordered_json::array();
@@ -30,7 +55,15 @@ void print_report(const Project& project, const LearnReport& report, const Invoc
                         {"energy_before", step.energy_before},
                         {"energy", step.energy}});
     }
+    auto templates = nlohmann::ordered_json::array();
+    for (const Learned& each : learned_templates(project)) {
+      templates.push_back({{"name", each.name},
+                           {"parts", each.parts},
+                           {"born_in_round", each.born},
+                           {"shapes", each.shapes}});
+    }
     print_json({{"rounds", rounds},
+                {"templates", templates},
                 {"fitted", report.fit.fitted},
                 {"kept", report.fit.kept},
                 {"learned", report.learned},
@@ -52,12 +85,10 @@ void print_report(const Project& project, const LearnReport& report, const Invoc
     std::cout << "\nstopped: the same command goes on from here" << std::endl;
     return;
   }
-  std::map<TemplateId, std::size_t> members;
-  for (const FitSummary& fit : project.fits()) ++members[fit.part_template];
   rows = {{"template", "parts", "born in round", "shapes"}};
-  for (const TemplateRecord& record : project.templates()) {
-    rows.push_back({record.part_template.name, std::to_string(record.part_template.parts.size()),
-                    std::to_string(record.iteration), std::to_string(members[record.id])});
+  for (const Learned& each : learned_templates(project)) {
+    rows.push_back(
+        {each.name, std::to_string(each.parts), std::to_string(each.born), std::to_string(each.shapes)});
   }
   std::cout << '\n';
   print_table(std::cout, rows);
@@ -79,8 +110,8 @@ int run_learn(const Arguments& arguments, const Invocation& invocation) {
   {
     Progress progress;
     if (templates.empty()) {
-      const auto start = automatic_start(project, {}, arguments.options, invocation.seed, invocation.threads,
-                                         progress.control(invocation.stop));
+      const auto start = automatic_start(project, {}, arguments.options, invocation.seed, arguments.fresh,
+                                         invocation.threads, progress.control(invocation.stop));
       if (start) templates.push_back(*start);
     }
     if (templates.empty()) {

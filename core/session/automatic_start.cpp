@@ -52,11 +52,11 @@ std::optional<State> stored_state(const Project& project) {
 }  // namespace
 
 std::optional<PartTemplate> automatic_start(Project& project, const FitOptions& fit_options,
-                                            const LearnOptions& options, std::uint64_t seed, unsigned threads,
-                                            const JobControl& control) {
+                                            const LearnOptions& options, std::uint64_t seed, bool fresh,
+                                            unsigned threads, const JobControl& control) {
   const std::string request = learn_request(project, {}, fit_options, options, seed).to_hex();
   std::optional<State> state = stored_state(project);
-  if (!state || state->request != request) {
+  if (fresh || !state || state->request != request) {
     SuggestOptions suggest;
     suggest.seed = seed;
     const Suggestions suggestions = suggest_templates(project, suggest, threads, control);
@@ -80,10 +80,11 @@ std::optional<PartTemplate> automatic_start(Project& project, const FitOptions& 
     store_state(project, *state);
   }
   const auto best = static_cast<std::size_t>(std::ranges::min_element(state->scores) - state->scores.begin());
-  Project::Transaction transaction(project);
-  store_suggestions(project, state->candidates, best);
-  project.set_setting(std::string(start_state_setting), "");
-  transaction.commit();
+  // What was learned from it since is current now, and stays so.
+  const std::vector<TemplateRecord> known = project.templates(false);
+  if (fresh ||
+      std::ranges::find(known, state->candidates[best], &TemplateRecord::part_template) == known.end())
+    store_suggestions(project, state->candidates, best);
   return state->candidates[best];
 }
 

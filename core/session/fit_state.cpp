@@ -7,6 +7,14 @@
 
 namespace archetype {
 
+namespace {
+
+// Another one where the same request leads to other fits than before, as the version of the program does not
+// tell what was changed since it was given.
+constexpr int method = 2;
+
+}  // namespace
+
 std::vector<std::pair<std::string, double>> named_options(const FitOptions& options) {
   // Taken apart by position, so that an option which is added there and forgotten here does not compile.
   const auto& [distance_unit, alpha, deformation_tail, turn_stddev, round_share, beta, gamma, null_cost,
@@ -41,7 +49,7 @@ std::vector<std::pair<std::string, double>> named_options(const FitOptions& opti
 }
 
 ContentHash fit_state(const std::vector<PartTemplate>& templates, const FitOptions& options) {
-  std::string text = "archetype " ARCHETYPE_VERSION "\n";
+  std::string text = "archetype " ARCHETYPE_VERSION ", method " + std::to_string(method) + "\n";
   for (const auto& [name, value] : named_options(options)) {
     text += name + "=" + number_text(value) + "\n";
   }

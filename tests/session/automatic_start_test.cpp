@@ -21,8 +21,8 @@ namespace {
 
 struct Chairs : ImportedChairs {
   Chairs() : ImportedChairs(4, 60) {}
-  std::optional<PartTemplate> choose(const JobControl& control = {}) {
-    return automatic_start(project, {}, {}, 1, 2, control);
+  std::optional<PartTemplate> choose(const JobControl& control = {}, bool fresh = false) {
+    return automatic_start(project, {}, {}, 1, fresh, 2, control);
   }
 };
 
@@ -57,6 +57,20 @@ TEST_CASE("a choice that was stopped goes on with the suggestions that it had, t
   CHECK(learning_start(stopped.project) == std::vector{*expected});
   CHECK(stopped.project.templates(false).size() == whole.project.templates(false).size());
   CHECK(whole.project.templates(false).size() > 1);
+
+  // Once it is made it is not made again, and what was learned since stays current.
+  const std::vector<TemplateRecord> all = stopped.project.templates(false);
+  const auto other =
+      std::ranges::find_if(all, [&](const TemplateRecord& each) { return each.part_template != *expected; });
+  REQUIRE(other != all.end());
+  stopped.project.set_current_templates({other->id});
+  stages.clear();
+  CHECK(stopped.choose(watched) == expected);
+  CHECK(stages.empty());
+  CHECK(learning_start(stopped.project) == std::vector{other->part_template});
+  CHECK(stopped.choose(watched, true) == expected);
+  CHECK_FALSE(stages.empty());
+  CHECK(learning_start(stopped.project) == std::vector{*expected});
 }
 
 TEST_CASE("what another program left as the state of the choice is not gone on from") {
@@ -75,5 +89,5 @@ TEST_CASE("what another program left as the state of the choice is not gone on f
 
 TEST_CASE("a start cannot be chosen without shapes") {
   Project empty = Project::in_memory();
-  CHECK_THROWS_AS(automatic_start(empty, {}, {}, 1, 1, {}), PreconditionError);
+  CHECK_THROWS_AS(automatic_start(empty, {}, {}, 1, false, 1, {}), PreconditionError);
 }

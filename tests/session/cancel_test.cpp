@@ -171,7 +171,7 @@ TEST_CASE("the choice of a start stops within a second") {
   Collection chairs(4, 60);
   Project project = chairs.imported();
   const Work choose = [&](const JobControl& control) {
-    automatic_start(project, {}, few_shapes(), 1, 2, control);
+    automatic_start(project, {}, few_shapes(), 1, false, 2, control);
   };
   // What was tried is kept, so that the second time other suggestions are being tried.
   check_stages(choose, {"segmenting", "scoring", "trying", "trying"}, chairs.random);
