@@ -89,6 +89,8 @@ CollectionRows read_rows(const Project& project) {
     content.starts = std::make_shared<const std::vector<StartMeasure>>(std::move(starts));
   if (std::optional<LearningRecord> learning = learning_record(project))
     content.learning = std::make_shared<const LearningRecord>(std::move(*learning));
+  content.learning_can_go_on = can_go_on(project, {}, {}, learning_seed);
+  content.corrections = std::make_shared<const Corrections>(project.corrections());
   return content;
 }
 

@@ -26,11 +26,16 @@ struct CollectionRows {
   std::vector<RefusedInput> refused;
   std::vector<PartTemplate> templates;             // the project's current ones
   std::shared_ptr<const LearningRecord> learning;  // null: nothing was learned yet
+  bool learning_can_go_on = false;                 // with these shapes, and with the corrections below
+  std::shared_ptr<const Corrections> corrections;  // as the project has them; null: none
   GroundTruthFolders truth;                        // where it is, as far as is known
   std::vector<SubsetMeasure> subsets;              // how learning grows, if it was measured
   // What came of several templates to begin with; null: not measured.
   std::shared_ptr<const std::vector<StartMeasure>> starts;
 };
+
+// The seed of all learning in the window; that of the batch program, where none is given.
+inline constexpr std::uint64_t learning_seed = 1;
 
 struct Collection {
   std::filesystem::path path;    // of the project file; empty: nothing is open
@@ -48,7 +53,7 @@ struct Collection {
 std::filesystem::path untitled_project_path(const std::filesystem::path& data_folder,
                                             const std::filesystem::path& shapes_folder);
 
-// About 20 ms for 10,000 shapes. Throws FileError.
+// About 30 ms for 10,000 shapes. Throws FileError.
 CollectionRows read_rows(const Project& project);
 // For a worker: nothing if the project cannot be read just now.
 std::optional<CollectionRows> reread_rows(const std::filesystem::path& project, const JobControl& control);

@@ -19,8 +19,6 @@
 namespace archetype {
 namespace {
 
-constexpr std::uint64_t learning_seed = 1;  // that of the batch program
-
 std::vector<PartTemplate> templates_of(const Document& document) {
   std::vector<PartTemplate> templates;
   for (const auto& each : document.templates) templates.push_back(*each);
@@ -48,28 +46,72 @@ const ProjectWriter* learner_of(const Studio& studio) {
   return nullptr;
 }
 
-// The templates of the document are those of the newest round, and all fits are theirs: learn() goes on, or
-// begins where that learning began.
-bool holds_learned(const Studio& studio) {
-  const std::shared_ptr<const LearningRecord> record = studio.collection.content.learning;
-  if (!record || record->steps.empty()) return false;
-  const std::vector<TemplateId>& ids = record->steps.back().templates;
-  const auto& templates = studio.history.committed().templates;
-  if (ids.size() != templates.size()) return false;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    const auto learned = std::ranges::find(record->templates, ids[i], &TemplateRecord::id);
-    if (learned == record->templates.end() || learned->part_template != *templates[i]) return false;
+// What learn() makes of the templates of a document.
+struct Beginning {
+  std::vector<PartTemplate> start;
+  std::vector<std::size_t> replaced;  // those of the document that what is learned takes the place of
+  bool goes_on = false;               // with the rounds that the project tells of
+};
+
+// Where `wanted` are among those of the document, ascending; nothing if some are not.
+std::optional<std::vector<std::size_t>> places_of(const std::vector<PartTemplate>& wanted,
+                                                  const std::vector<PartTemplate>& of_document) {
+  std::vector<std::size_t> places;
+  for (const PartTemplate& each : wanted) {
+    const auto found = std::ranges::find(of_document, each);
+    if (found == of_document.end()) return std::nullopt;
+    places.push_back(static_cast<std::size_t>(found - of_document.begin()));
   }
-  return std::ranges::all_of(studio.collection.rows(), [&](const ShapeRow& row) {
-    return !row.fit || std::ranges::find(ids, row.fit->part_template) != ids.end();
-  });
+  std::ranges::sort(places);
+  return places;
 }
 
-// Learning begins with all templates of the document where these are the project's current ones, or those
-// that its learning began with: that is undone, and shall be done again. Otherwise with the active one.
-bool begins_with_all(const std::vector<PartTemplate>& of_document, const std::vector<PartTemplate>& current,
-                     const LearningRecord* record) {
-  return of_document == current || (record && of_document == record->start);
+std::vector<PartTemplate> newest_of(const LearningRecord& record) {
+  std::vector<PartTemplate> newest;
+  if (record.steps.empty()) return newest;
+  for (const TemplateId id : record.steps.back().templates)
+    newest.push_back(std::ranges::lower_bound(record.templates, id, {}, &TemplateRecord::id)->part_template);
+  return newest;
+}
+
+// No round is left.
+bool is_over(const LearningRecord& record) {
+  return record.settled || record.steps.size() >= static_cast<std::size_t>(LearnOptions{}.iterations);
+}
+
+// With what the newest of the project's rounds came from, where the document holds its templates: those of a
+// stopped learning also beside others. Else with all templates of the document where these are the project's
+// current ones, or what its learning began with (that is undone, and shall be done again). Else with the
+// active one. record: null if nothing was learned. can_go_on: as in learn_templates.h.
+Beginning beginning(const Document& document, const std::vector<PartTemplate>& current,
+                    const LearningRecord* record, bool can_go_on) {
+  const std::vector<PartTemplate> of_document = templates_of(document);
+  Beginning result;
+  if (record && can_go_on && !record->steps.empty()) {
+    auto places = places_of(newest_of(*record), of_document);
+    const bool all = places && places->size() == of_document.size();
+    if (places && (all || (!is_over(*record) && std::ranges::binary_search(*places, document.active))))
+      return {record->start, std::move(*places), true};
+  }
+  if (of_document == current || (record && of_document == record->start)) {
+    result.start = of_document;
+    for (std::size_t i = 0; i < of_document.size(); ++i) result.replaced.push_back(i);
+  } else if (const PartTemplate* active = document.active_template()) {
+    result = {{*active}, {document.active}};
+  }
+  // What was learned from other shapes, or with other corrections, is learned anew from where it began.
+  if (record && result.start == newest_of(*record)) result.start = record->start;
+  result.goes_on = record && can_go_on && result.start == record->start;
+  return result;
+}
+
+Beginning beginning(const Studio& studio) {
+  const CollectionRows& content = studio.collection.content;
+  const Document& document = studio.history.committed();
+  // Autosave may be behind, and the rows may.
+  const bool as_corrected = same_corrections(document.corrections, content.corrections);
+  return beginning(document, content.templates, content.learning.get(),
+                   content.learning_can_go_on && as_corrected);
 }
 
 std::string names_of(const std::vector<PartTemplate>& templates) {
@@ -95,47 +137,39 @@ void learn_from(Studio& studio, Start from) {
   const auto path = studio.collection.path;
   const auto threads = static_cast<unsigned>(studio.settings.threads);
   const Document document = studio.history.committed();
-  const bool again = from == Start::document && holds_learned(studio);
-  const std::string title = from == Start::shapes ? std::string("Learn from the shapes alone")
-                            : again ? "Learn from " + studio.collection.content.learning->start.front().name
-                                    : "Learn from " + document.active_template()->name;
-  if (from == Start::document) say(studio, Severity::note, "Learning: " + what_learning_begins_with(studio));
+  std::string title = "Learn from the shapes alone";
+  if (from == Start::document) {
+    title = "Learn from " + beginning(studio).start.front().name;
+    say(studio, Severity::note, "Learning: " + what_learning_begins_with(studio));
+  }
   const JobId job = studio.jobs.start(
       title, [&studio, path, threads, document, from, title](const JobControl& control) -> Jobs::Apply {
         Project project = Project::open(path);
         store_corrections(project, document);
-        const std::vector<PartTemplate> current = current_templates(project).templates;
-        const auto record = learning_record(project);
-        const bool all = from == Start::document &&
-                         begins_with_all(templates_of(document), current, record ? &*record : nullptr);
-        std::vector<PartTemplate> start;
+        Beginning begun;
         if (from == Start::shapes) {
-          const auto chosen = automatic_start(project, {}, {}, learning_seed, threads, control);
+          const auto chosen = automatic_start(project, {}, {}, learning_seed, false, threads, control);
           if (!chosen) return {};
-          start = {*chosen};
+          begun.start = {*chosen};
         } else {
-          start = all ? templates_of(document) : std::vector{*document.active_template()};
-          // Those of a learning that was stopped: it is gone on with.
-          if (start == current) start = learning_start(project);
+          const auto record = learning_record(project);
+          begun = beginning(document, current_templates(project).templates, record ? &*record : nullptr,
+                            can_go_on(project, {}, {}, learning_seed));
         }
         const LearnReport report =
-            learn_templates(project, start, {}, {}, learning_seed, false, threads, control);
+            learn_templates(project, begun.start, {}, {}, learning_seed, false, threads, control);
         const std::vector<PartTemplate> learned = current_templates(project).templates;
-        return [&studio, path, document, from, all, report, learned, title] {
+        return [&studio, path, document, from, replaced = begun.replaced, report, learned, title] {
           if (studio.collection.path != path) return;
           const bool nothing = report.cancelled && report.steps.empty();
           if (nothing)
             return say(studio, Severity::note,
-                       "Learning stopped before the end of a round; nothing was changed");
+                       from == Start::document
+                           ? "Learning stopped before the end of a round; nothing was changed"
+                           : "Learning stopped before the end of a round; what the shapes suggest is kept");
           // A template that was edited meanwhile stays; what was learned comes beside it.
           const bool same = studio.history.committed() == document;
-          const bool beside = from == Start::shapes && !document.templates.empty();
-          if (same && !beside) {
-            take_learned(studio.history, learned,
-                         all || from == Start::shapes ? LearnedFrom::all : LearnedFrom::active, title);
-          } else {
-            for (const PartTemplate& each : learned) add_template(studio.history, each, "Learn " + each.name);
-          }
+          take_learned(studio.history, learned, same ? replaced : std::vector<std::size_t>{}, title);
           select_only(studio.ui, std::nullopt);
           say(studio, Severity::note, summary(report, learned.size()));
         };
@@ -217,24 +251,41 @@ void show_learning(Studio& studio) {
 
 std::string what_learning_begins_with(const Studio& studio) {
   const Document& document = studio.history.committed();
-  const std::size_t count = document.templates.size();
-  if (!holds_learned(studio)) {
-    const CollectionRows& content = studio.collection.content;
-    if (count > 1 && begins_with_all(templates_of(document), content.templates, content.learning.get()))
-      return "begins with " + names_of(templates_of(document)) + " as they are in the editor";
-    std::string text = "begins with “" + document.active_template()->name + "” as it is in the editor";
-    if (count == 2) text += "; the other template of the document stays as it is";
-    if (count > 2)
-      text += "; the " + std::to_string(count - 1) + " other templates of the document stay as they are";
-    return text;
+  const Beginning begins = beginning(studio);
+  const std::string start = names_of(begins.start);
+  const LearningRecord* record = studio.collection.content.learning.get();
+  const auto in_editor = [&](const std::vector<PartTemplate>& templates) {
+    return places_of(templates, templates_of(document)).has_value();
+  };
+  if (begins.goes_on) {
+    const std::string rounds = plural(record->steps.size(), "round");
+    if (!is_over(*record))
+      return "goes on after round " + std::to_string(record->steps.size()) + " from " + start;
+    if (in_editor(newest_of(*record)))
+      return "has nothing left to do from " + start + " after " + rounds +
+             "; shapes that lack a fit of what was learned get one";
+    return "brings back what " + start + " became in " + rounds + ": nothing is left to do after them";
   }
-  const LearningRecord& record = *studio.collection.content.learning;
-  const std::string start = names_of(record.start);
-  if (!record.settled) return "goes on after round " + std::to_string(record.steps.size()) + " from " + start;
-  return "begins anew with " + start + ", as it did before; what comes of it takes the place of " +
-         (count == 1 ? "the template that was learned"
-                     : "the " + plural(count, "template") + " that were learned") +
-         ", until Ctrl+Z brings back what was there";
+  const std::size_t replaced = begins.replaced.size();
+  if (!in_editor(begins.start))
+    return "begins anew with " + start +
+           ", as what was learned is of other shapes, corrections or options; what comes of it takes the "
+           "place of " +
+           (replaced == 1 ? "the template that was learned"
+                          : "the " + plural(replaced, "template") + " that were learned") +
+           ", until Ctrl+Z brings back what was there";
+  std::string text = "begins with " + start;
+  text += begins.start.size() > 1 ? " as they are in the editor" : " as it is in the editor";
+  const std::size_t others = document.templates.size() - replaced;
+  if (others == 1) text += "; the other template of the document stays as it is";
+  if (others > 1)
+    text += "; the " + std::to_string(others) + " other templates of the document stay as they are";
+  return text;
+}
+
+bool learning_goes_on(const Studio& studio) {
+  const Beginning begins = beginning(studio);
+  return begins.goes_on && !is_over(*studio.collection.content.learning);
 }
 
 void learn(Studio& studio) {

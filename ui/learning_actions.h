@@ -23,6 +23,8 @@ void take_suggestion(Studio& studio, std::size_t rank);
 void learn(Studio& studio);
 // What that begins with now, and what becomes of what is there: for a person. There is an active template.
 std::string what_learning_begins_with(const Studio& studio);
+// Whether rounds follow on those that the project tells of. There is an active template.
+bool learning_goes_on(const Studio& studio);
 // The same without a template to begin with: learns a little from each of those that the shapes suggest, and
 // on from the best (section 4.3). What comes of it is put beside the templates of the document. A stopped
 // choice is gone on with.

@@ -52,7 +52,8 @@ void draw_head(Studio& studio, const std::optional<JobView>& job, const Learning
   const float left = ImGui::GetCursorPosX();
   ImGui::TextUnformatted(fitted(summary(*record, studio), room).c_str());
   ImGui::SameLine(left + room + ImGui::GetStyle().ItemSpacing.x);
-  command_button(studio, "learn", std::string(icon::play) + (record->settled ? "  Learn" : "  Go on"),
+  command_button(studio, "learn",
+                 std::string(icon::play) + (can && learning_goes_on(studio) ? "  Go on" : "  Learn"),
                  {button, 0});
   if (!begins.empty()) muted_text(studio, fitted(begins, left + room + button - ImGui::GetCursorPosX()));
   if (!begins.empty()) tooltip(begins.c_str());

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,10 +28,9 @@ void duplicate_active_template(History& history);
 void remove_active_template(History& history);
 void rename_active_template(History& history, const std::string& name);
 void select_template(History& history, std::size_t index);
-// What was learned, one template at least, takes the place of the active template, or of all; the first of it
-// becomes active.
-enum class LearnedFrom { active, all };
-void take_learned(History& history, std::vector<PartTemplate> learned, LearnedFrom from,
+// What was learned, one template at least, takes the place of the templates `replaced`, ascending, or stands
+// after all where these are none; the first of it becomes active.
+void take_learned(History& history, std::vector<PartTemplate> learned, std::span<const std::size_t> replaced,
                   const std::string& message);
 
 // Moves the active template by a number of places in the list, at most to its ends.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include "core/base/error.h"
@@ -46,16 +47,14 @@ void add_template(History& history, PartTemplate part_template, const std::strin
   history.commit(std::move(document), message);
 }
 
-void take_learned(History& history, std::vector<PartTemplate> learned, LearnedFrom from,
+void take_learned(History& history, std::vector<PartTemplate> learned, std::span<const std::size_t> replaced,
                   const std::string& message) {
   if (learned.empty()) throw PreconditionError("nothing was learned");
   Document document = history.committed();
   auto& templates = document.templates;
-  if (from == LearnedFrom::all)
-    templates.clear();
-  else if (document.active < templates.size())
-    templates.erase(templates.begin() + static_cast<std::ptrdiff_t>(document.active));
-  document.active = std::min(document.active, templates.size());
+  for (const std::size_t each : std::views::reverse(replaced))
+    templates.erase(templates.begin() + static_cast<std::ptrdiff_t>(each));
+  document.active = replaced.empty() ? templates.size() : replaced.front();
   for (std::size_t i = 0; i < learned.size(); ++i) {
     learned[i].name = unique_template_name(document, learned[i].name, templates.size());
     templates.insert(templates.begin() + static_cast<std::ptrdiff_t>(document.active + i),

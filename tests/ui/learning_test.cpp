@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/session/actions.h"
+#include "core/session/correction_actions.h"
 #include "core/session/fit_collection.h"
 #include "core/session/import_shapes.h"
 #include "tests/support/small_collection.h"
@@ -13,6 +15,7 @@
 #include "ui/learning_actions.h"
 #include "ui/learning_flow.h"
 #include "ui/project_actions.h"
+#include "ui/widgets.h"
 
 using namespace archetype;
 using namespace archetype::test;
@@ -219,9 +222,10 @@ TEST_CASE("What learning begins with is said before and when it starts") {
   window.settle();
   REQUIRE(studio.collection.content.learning);
   REQUIRE(studio.collection.content.learning->settled);
-  // The templates are what was learned: it would begin where that began.
-  CHECK(says("begins anew with “chair”, as it did before"));
-  CHECK(says("takes the place of the template that was learned"));
+  // The templates are what was learned: the same again would end where they are.
+  const std::string rounds = plural(studio.collection.content.learning->steps.size(), "round");
+  CHECK(says("has nothing left to do from “chair” after " + rounds));
+  CHECK_FALSE(learning_goes_on(studio));
   REQUIRE(run_command(studio, "rename-template", std::vector<std::string>{"seat of mine"}));
   window.settle();
   CHECK(says("begins with “seat of mine” as it is in the editor"));
@@ -234,7 +238,57 @@ TEST_CASE("What learning begins with is said before and when it starts") {
   auto unsettled = *studio.collection.content.learning;
   unsettled.settled = false;
   studio.collection.content.learning = std::make_shared<const LearningRecord>(unsettled);
-  CHECK(says("goes on after round " + std::to_string(unsettled.steps.size()) + " from “chair”"));
+  const std::string goes_on =
+      "goes on after round " + std::to_string(unsettled.steps.size()) + " from “chair”";
+  CHECK(says(goes_on));
+  CHECK(learning_goes_on(studio));
+
+  SUBCASE("also where other templates were fitted since") {
+    studio.collection.content.templates = {chair_template()};
+    CHECK(says(goes_on));
+  }
+  SUBCASE("and where there is another template beside, but not from that one") {
+    PartTemplate other = chair_template();
+    other.name = "other";
+    add_template(studio.history, other, "Add other");
+    CHECK(says("begins with “other” as it is in the editor; the other template"));
+    CHECK_FALSE(learning_goes_on(studio));
+    select_template(studio.history, 0);
+    CHECK(says(goes_on));
+  }
+  SUBCASE("not where a shape was corrected since") {
+    const ShapeRow& row = studio.collection.rows().front();
+    pin_yaw(studio.history, {row.id, row.name}, 1);
+    CHECK(says("begins anew with “chair”, as what was learned is of other shapes, corrections or options"));
+    CHECK(says("takes the place of the template that was learned"));
+    CHECK_FALSE(learning_goes_on(studio));
+  }
+  SUBCASE("not beyond the last round") {
+    while (unsettled.steps.size() < 10) unsettled.steps.push_back(unsettled.steps.back());
+    studio.collection.content.learning = std::make_shared<const LearningRecord>(unsettled);
+    CHECK(says("has nothing left to do from “chair” after 10 rounds"));
+    CHECK_FALSE(learning_goes_on(studio));
+  }
+}
+
+TEST_CASE("What was learned comes back by learning again after undo, without a round") {
+  LearnedWindow window;
+  Studio& studio = window.studio();
+  const Document learned = window.history().committed();
+  const std::size_t rounds = window.record().steps.size();
+  window.key("Ctrl+Z");
+  window.settle();
+  REQUIRE(window.history().committed() != learned);
+  CHECK(what_learning_begins_with(studio).starts_with("brings back what"));
+  // Another fit in between makes other templates the project's.
+  REQUIRE(run_command(studio, "fit-all"));
+  window.settle();
+  CHECK(what_learning_begins_with(studio).starts_with("brings back what"));
+  REQUIRE(run_command(studio, "learn"));
+  window.settle();
+  CHECK(window.history().committed() == learned);
+  CHECK(window.record().steps.size() == rounds);
+  CHECK(studio.collection.content.learning_can_go_on);
 }
 
 TEST_CASE("Learning begins with both templates of a project, says so, and one undo brings both back") {
@@ -263,7 +317,7 @@ TEST_CASE("Learning begins with both templates of a project, says so, and one un
   window.key("Ctrl+Z");
   window.settle();
   CHECK(studio.history.current() == before);
-  CHECK(what_learning_begins_with(studio) == begins);  // and not with one of them only
+  CHECK(what_learning_begins_with(studio).starts_with("brings back what “chair”, “wide” became"));
   window.key("Ctrl+Shift+Z");
   window.settle();
   CHECK(studio.history.current().templates.size() == 1);
