@@ -54,7 +54,7 @@ bool has_other_templates(const Project& project) {
   const auto known = project.setting(known_templates_setting);
   if (!known || *known == ids_of_current_templates(project)) return false;
   const std::optional<LearningRecord> learning = learning_record(project);
-  return !learning || learning->settled;
+  return !learning || is_over(*learning, {});
 }
 
 }  // namespace

@@ -74,11 +74,6 @@ std::vector<PartTemplate> newest_of(const LearningRecord& record) {
   return newest;
 }
 
-// No round is left.
-bool is_over(const LearningRecord& record) {
-  return record.settled || record.steps.size() >= static_cast<std::size_t>(LearnOptions{}.iterations);
-}
-
 // With what the newest of the project's rounds came from, where the document holds its templates: those of a
 // stopped learning also beside others. Else with all templates of the document where these are the project's
 // current ones, or what its learning began with (that is undone, and shall be done again). Else with the
@@ -90,7 +85,7 @@ Beginning beginning(const Document& document, const std::vector<PartTemplate>& c
   if (record && can_go_on && !record->steps.empty()) {
     auto places = places_of(newest_of(*record), of_document);
     const bool all = places && places->size() == of_document.size();
-    if (places && (all || (!is_over(*record) && std::ranges::binary_search(*places, document.active))))
+    if (places && (all || (!is_over(*record, {}) && std::ranges::binary_search(*places, document.active))))
       return {record->start, std::move(*places), true};
   }
   if (of_document == current || (record && of_document == record->start)) {
@@ -101,7 +96,7 @@ Beginning beginning(const Document& document, const std::vector<PartTemplate>& c
   }
   // What was learned from other shapes, or with other corrections, is learned anew from where it began.
   if (record && result.start == newest_of(*record)) result.start = record->start;
-  result.goes_on = record && can_go_on && result.start == record->start;
+  result.goes_on = record && can_go_on && !record->steps.empty() && result.start == record->start;
   return result;
 }
 
@@ -146,19 +141,31 @@ void learn_from(Studio& studio, Start from) {
       title, [&studio, path, threads, document, from, title](const JobControl& control) -> Jobs::Apply {
         Project project = Project::open(path);
         store_corrections(project, document);
+        const auto record = learning_record(project);
         Beginning begun;
         if (from == Start::shapes) {
           const auto chosen = automatic_start(project, {}, {}, learning_seed, false, threads, control);
           if (!chosen) return {};
           begun.start = {*chosen};
+          // What was learned from it so far is there already.
+          if (record && record->start == begun.start)
+            begun.replaced =
+                places_of(newest_of(*record), templates_of(document)).value_or(std::vector<std::size_t>{});
         } else {
-          const auto record = learning_record(project);
           begun = beginning(document, current_templates(project).templates, record ? &*record : nullptr,
                             can_go_on(project, {}, {}, learning_seed));
         }
         const LearnReport report =
             learn_templates(project, begun.start, {}, {}, learning_seed, false, threads, control);
-        const std::vector<PartTemplate> learned = current_templates(project).templates;
+        // Not the current ones of a learning that was stopped: others may have been fitted since its last
+        // round.
+        std::vector<PartTemplate> learned;
+        if (report.steps.empty()) {
+          learned = current_templates(project).templates;
+        } else {
+          for (const TemplateId id : report.steps.back().templates)
+            learned.push_back(project.find_template(id).value().part_template);
+        }
         return [&studio, path, document, from, replaced = begun.replaced, report, learned, title] {
           if (studio.collection.path != path) return;
           const bool nothing = report.cancelled && report.steps.empty();
@@ -168,7 +175,9 @@ void learn_from(Studio& studio, Start from) {
                            ? "Learning stopped before the end of a round; nothing was changed"
                            : "Learning stopped before the end of a round; what the shapes suggest is kept");
           // A template that was edited meanwhile stays; what was learned comes beside it.
-          const bool same = studio.history.committed() == document;
+          const auto& now = studio.history.committed().templates;
+          const bool same = std::ranges::all_of(
+              replaced, [&](std::size_t i) { return i < now.size() && now[i] == document.templates[i]; });
           take_learned(studio.history, learned, same ? replaced : std::vector<std::size_t>{}, title);
           select_only(studio.ui, std::nullopt);
           say(studio, Severity::note, summary(report, learned.size()));
@@ -259,7 +268,7 @@ std::string what_learning_begins_with(const Studio& studio) {
   };
   if (begins.goes_on) {
     const std::string rounds = plural(record->steps.size(), "round");
-    if (!is_over(*record))
+    if (!is_over(*record, {}))
       return "goes on after round " + std::to_string(record->steps.size()) + " from " + start;
     if (in_editor(newest_of(*record)))
       return "has nothing left to do from " + start + " after " + rounds +
@@ -285,7 +294,7 @@ std::string what_learning_begins_with(const Studio& studio) {
 
 bool learning_goes_on(const Studio& studio) {
   const Beginning begins = beginning(studio);
-  return begins.goes_on && !is_over(*studio.collection.content.learning);
+  return begins.goes_on && !is_over(*studio.collection.content.learning, {});
 }
 
 void learn(Studio& studio) {

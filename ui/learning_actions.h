@@ -17,9 +17,9 @@ void suggest_templates(Studio& studio);
 // Makes it a template of the document; rank < studio.ui.suggestions.size().
 void take_suggestion(Studio& studio, std::size_t rank);
 
-// Learns from the active template, or goes on where such a run was stopped (section 4.2). What comes of it
-// takes the place of that template, as one step that can be undone; of a stopped run, what its last whole
-// round left.
+// Learns from the active template, or from all where these are the project's, or goes on where such a run was
+// stopped (section 4.2). What comes of it takes the place of these, or of what that run had left, as one step
+// that can be undone; of a stopped run, what its last whole round left.
 void learn(Studio& studio);
 // What that begins with now, and what becomes of what is there: for a person. There is an active template.
 std::string what_learning_begins_with(const Studio& studio);

@@ -46,7 +46,7 @@ void draw_head(Studio& studio, const std::optional<JobView>& job, const Learning
   }
   const float button = 110 * studio.fonts.scale;
   const bool can = studio.history.current().active_template() != nullptr;
-  const std::string begins = can ? "Learn " + what_learning_begins_with(studio) + "." : "";
+  const std::string begins = can ? "Learning " + what_learning_begins_with(studio) + "." : "";
   ImGui::AlignTextToFramePadding();
   const float room = ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x;
   const float left = ImGui::GetCursorPosX();

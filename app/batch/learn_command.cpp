@@ -46,7 +46,8 @@ std::vector<Learned> learned_templates(const Project& project) {
   return learned;
 }
 
-void print_report(const Project& project, const LearnReport& report, const Invocation& invocation) {
+void print_report(const Project& project, const LearnReport& report, bool fresh,
+                  const Invocation& invocation) {
   if (invocation.json) {
     auto rounds = nlohmann::ordered_json::array();
     for (const LearningStep& step : report.steps) {
@@ -56,7 +57,7 @@ void print_report(const Project& project, const LearnReport& report, const Invoc
                         {"energy", step.energy}});
     }
     auto templates = nlohmann::ordered_json::array();
-    for (const Learned& each : learned_templates(project)) {
+    for (const Learned& each : report.cancelled ? std::vector<Learned>{} : learned_templates(project)) {
       templates.push_back({{"name", each.name},
                            {"parts", each.parts},
                            {"born_in_round", each.born},
@@ -82,7 +83,8 @@ void print_report(const Project& project, const LearnReport& report, const Invoc
   }
   print_table(std::cout, rows);
   if (report.cancelled) {
-    std::cout << "\nstopped: the same command goes on from here" << std::endl;
+    std::cout << "\nstopped: the same command " << (fresh ? "without --fresh " : "") << "goes on from here"
+              << std::endl;
     return;
   }
   rows = {{"template", "parts", "born in round", "shapes"}};
@@ -121,7 +123,7 @@ int run_learn(const Arguments& arguments, const Invocation& invocation) {
                                invocation.threads, progress.control(invocation.stop));
     }
   }
-  print_report(project, report, invocation);
+  print_report(project, report, arguments.fresh, invocation);
   if (report.cancelled) return exit_code::stopped;
   return report.fit.refused.empty() ? exit_code::done : exit_code::some_refused;
 }

@@ -15,8 +15,8 @@ struct LearnOptions {
   // template that has siblings (estimate_siblings.h) is learned from all of its shapes but outliers.
   double learning_share = 0.7;
   double tau = 4;
-  // An outlier's energy is beyond this many times that bound, as 150 is to the paper's 75; it is not learned
-  // from.
+  // An outlier's energy is beyond this many times that bound, as 150 is to the paper's 75. New estimates do
+  // not come from it; what divisions and joins are tried with does.
   double outlier_factor = 2;
   std::size_t smallest_learning_set = 3;  // fewer teach a template nothing
   // What was known before the shapes of a template were seen counts as much as this many shapes. Differs from

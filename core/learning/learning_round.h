@@ -37,10 +37,10 @@ struct LearningRound {
 };
 
 // Fits `templates` to all shapes, re-estimates each from its learning set, those that have the same parts
-// together from all of their shapes (estimate_siblings.h), and divides those that stay as they are where that
-// gains (split_template.h). `judging` decides what is kept: a re-estimated template if the share
-// options.agreeing_share of the shapes that take it fit better, several together if their energy falls, a
-// division if the share options.divided_share fits better and if it lowers the energy by more than its
+// together from all of their shapes but outliers (estimate_siblings.h), and divides those that stay as they
+// are where that gains (split_template.h). `judging` decides what is kept: a re-estimated template if the
+// share options.agreeing_share of the shapes that take it fit better, several together if their energy falls,
+// a division if the share options.divided_share fits better and if it lowers the energy by more than its
 // parameters cost. Where nothing else changes, two become one if that lowers the energy (merge_templates.h).
 // `others` are only learned from. The yaws of the judging shapes are decided together (agreed_yaws.h).
 // Templates that no judging shape takes are dropped, except those that shapes are pinned to. Nothing if
@@ -54,7 +54,8 @@ struct LearningRound {
 // corrections: what was corrected by hand, one per shape with the judging ones first, null where nothing was;
 // or none at all. Pinned yaws, templates and labels hold in all fits, and pinned yaws count when yaws are
 // decided; shapes pinned to a template stay with it when it is divided. Shapes marked to be learned from are
-// in the learning set of their template whatever their energy. Outliers are for the caller to leave out.
+// in the learning set of their template whatever their energy. Those marked as outliers are for the caller to
+// leave out.
 //
 // known_yaws: quarter turns of the judging shapes (LearningRound::yaws of the first round), or none at all.
 // They are held against others (add_cost_of_turning()). Differs from the paper: where a template of teapots

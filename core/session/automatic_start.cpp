@@ -20,10 +20,11 @@ struct State {
   std::string request;  // what the choice depends on, as a hash
   std::vector<PartTemplate> candidates;
   std::vector<double> scores;  // of the candidates that were tried so far
+  bool made = false;           // the choice: they are all in the project
 };
 
 void store_state(Project& project, const State& state) {
-  Json json{{"request", state.request}, {"scores", state.scores}};
+  Json json{{"request", state.request}, {"scores", state.scores}, {"made", state.made}};
   json["candidates"] = Json::array();
   for (const PartTemplate& each : state.candidates) json["candidates"].push_back(format_template(each));
   project.set_setting(std::string(start_state_setting), json.dump());
@@ -38,9 +39,12 @@ std::optional<State> stored_state(const Project& project) {
     State state;
     state.request = json.at("request").get<std::string>();
     state.scores = json.at("scores").get<std::vector<double>>();
+    state.made = json.at("made").get<bool>();
     for (const Json& each : json.at("candidates"))
       state.candidates.push_back(parse_template(each.get<std::string>(), std::string(start_state_setting)));
-    if (state.candidates.empty() || state.scores.size() > state.candidates.size()) return std::nullopt;
+    if (state.candidates.empty() || state.scores.size() > state.candidates.size() ||
+        (state.made && state.scores.size() < state.candidates.size()))
+      return std::nullopt;
     return state;
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
@@ -61,7 +65,7 @@ std::optional<PartTemplate> automatic_start(Project& project, const FitOptions& 
     suggest.seed = seed;
     const Suggestions suggestions = suggest_templates(project, suggest, threads, control);
     if (suggestions.cancelled) return std::nullopt;
-    state = State{request, {}, {}};
+    state = State{request, {}, {}, false};
     for (const InitialTemplate& each : suggestions.templates) state->candidates.push_back(each.part_template);
     store_state(project, *state);
   }
@@ -81,10 +85,13 @@ std::optional<PartTemplate> automatic_start(Project& project, const FitOptions& 
   }
   const auto best = static_cast<std::size_t>(std::ranges::min_element(state->scores) - state->scores.begin());
   // What was learned from it since is current now, and stays so.
-  const std::vector<TemplateRecord> known = project.templates(false);
-  if (fresh ||
-      std::ranges::find(known, state->candidates[best], &TemplateRecord::part_template) == known.end())
+  if (!state->made) {
+    Project::Transaction transaction(project);
     store_suggestions(project, state->candidates, best);
+    state->made = true;
+    store_state(project, *state);
+    transaction.commit();
+  }
   return state->candidates[best];
 }
 

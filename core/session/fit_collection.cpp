@@ -181,8 +181,8 @@ class FitRun {
       keep_yaw_energies(project_, state, *energies);
     }
     for (std::size_t i = 0; i < asked.size(); ++i) add_cost_of_turning((*energies)[i], known_yaw(asked[i]));
-    agreed_.emplace(references, *energies);
-    return true;
+    agreed_.emplace(references, *energies, stop_only_);
+    return !control_.cancelled();
   }
 
   // Nothing if cancelled.

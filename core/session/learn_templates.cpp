@@ -80,6 +80,11 @@ bool load(const Project& project, const std::vector<ShapeId>& ids, const JobCont
   return true;
 }
 
+// What was learned on the way to what is wanted now.
+bool is_of(const LearningState& stored, const std::string& request, const LearnOptions& options) {
+  return stored.request == request && static_cast<int>(stored.steps.size()) <= options.iterations;
+}
+
 class LearnRun {
  public:
   LearnRun(Project& project, const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed,
@@ -126,8 +131,7 @@ class LearnRun {
     const std::vector<ShapeId> judging = judging_shapes(shapes_, options_, seed_);
     if (!fresh) {
       std::optional<LearningState> stored = stored_learning_state(project_);
-      if (stored && stored->request == request && stored->judging == judging &&
-          static_cast<int>(stored->steps.size()) <= options_.iterations) {
+      if (stored && is_of(*stored, request, options_) && stored->judging == judging) {
         state_ = std::move(*stored);
         return;
       }
@@ -307,7 +311,11 @@ bool can_go_on(const Project& project, const FitOptions& fit_options, const Lear
                std::uint64_t seed) {
   const std::optional<LearningState> stored = stored_learning_state(project);
   return stored &&
-         stored->request == learn_request(project, stored->start, fit_options, options, seed).to_hex();
+         is_of(*stored, learn_request(project, stored->start, fit_options, options, seed).to_hex(), options);
+}
+
+bool is_over(const LearningRecord& record, const LearnOptions& options) {
+  return record.settled || static_cast<int>(record.steps.size()) >= options.iterations;
 }
 
 std::optional<double> score_after_trial(const Project& project, const PartTemplate& start,

@@ -54,13 +54,16 @@ std::vector<PartTemplate> learning_start(const Project& project);
 
 // Of everything that decides what is learned in a round: templates, options, seed, and the shapes with their
 // samples and corrections. Not of options.iterations, which says how many there are at most: ten rounds are
-// gone on with where twenty are wanted.
+// gone on with where twenty are wanted, and begun anew where five are.
 ContentHash learn_request(const Project& project, const std::vector<PartTemplate>& initial,
                           const FitOptions& fit_options, const LearnOptions& options, std::uint64_t seed);
 
+// Whether no round follows on those of the record: the last kept nothing new, or there were enough.
+bool is_over(const LearningRecord& record, const LearnOptions& options);
+
 // Whether the learning that the project tells of is of these options and this seed, of the shapes as they are
-// and of what is corrected of them now: learn_templates() goes on with it from what it began with. False
-// where nothing was learned. About 10 ms for 10,000 shapes.
+// and of what is corrected of them now, and has no more rounds than are wanted: learn_templates() goes on
+// with it from what it began with. False where nothing was learned. About 10 ms for 10,000 shapes.
 bool can_go_on(const Project& project, const FitOptions& fit_options, const LearnOptions& options,
                std::uint64_t seed);
 

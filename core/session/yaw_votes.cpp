@@ -45,7 +45,9 @@ std::optional<std::array<double, 4>> kept_yaw_costs(const Project& project, Shap
     references.push_back(project.samples(asked[i]));
     add_cost_of_turning((*energies)[i], known_of(asked[i]));
   }
-  std::array<double, 4> costs = AgreedYaws(references, *energies).costs(project.samples(shape));
+  const AgreedYaws agreed(references, *energies, control);
+  if (control.cancelled()) return std::nullopt;
+  std::array<double, 4> costs = agreed.costs(project.samples(shape));
   add_cost_of_turning(costs, known_of(shape));
   return costs;
 }

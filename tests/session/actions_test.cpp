@@ -243,6 +243,31 @@ TEST_CASE("Features are the mean and spread of the samples of each part") {
   CHECK(history.current() == before);
 }
 
+TEST_CASE("What was learned takes the place of the templates that it came of, in one step") {
+  History history = history_with_two_parts();
+  PartTemplate stool = *history.committed().templates[0];
+  stool.name = "stool";
+  add_template(history, stool, "Add");
+  PartTemplate first = stool;
+  first.name = "first";
+  PartTemplate second = stool;
+  second.name = "bench";
+  const auto names = [&] {
+    std::vector<std::string> result;
+    for (const auto& each : history.current().templates) result.push_back(each->name);
+    return result;
+  };
+  take_learned(history, {first, second}, std::vector<std::size_t>{0, 2}, "Learn");
+  CHECK(names() == std::vector<std::string>{"first", "bench 2", "bench"});
+  CHECK(active(history).name == "first");
+  history.undo();
+  CHECK(names() == std::vector<std::string>{"chair", "bench", "stool"});
+  take_learned(history, {first}, {}, "Learn");
+  CHECK(names() == std::vector<std::string>{"chair", "bench", "stool", "first"});
+  CHECK(active(history).name == "first");
+  CHECK_THROWS_AS(take_learned(history, {}, {}, "Learn"), PreconditionError);
+}
+
 TEST_CASE("Actions on what is not there say so and change nothing") {
   History history = history_with_two_parts();
   CHECK_THROWS_AS(remove_parts(history, {2}), PreconditionError);

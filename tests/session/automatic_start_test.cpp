@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/io/template_file.h"
 #include "core/session/learn_templates.h"
+#include "core/session/suggest_templates.h"
 #include "tests/support/imported_chairs.h"
 
 using namespace archetype;
@@ -71,6 +72,24 @@ TEST_CASE("a choice that was stopped goes on with the suggestions that it had, t
   CHECK(stopped.choose(watched, true) == expected);
   CHECK_FALSE(stages.empty());
   CHECK(learning_start(stopped.project) == std::vector{*expected});
+}
+
+TEST_CASE(
+    "a choice that was not made yet is, where the project has its suggestions but another one is current") {
+  Chairs whole;
+  const auto expected = whole.choose();
+  REQUIRE(expected);
+  std::vector<PartTemplate> suggested;
+  std::size_t other = 0;
+  for (const TemplateRecord& each : whole.project.templates(false)) {
+    if (each.part_template != *expected) other = suggested.size();
+    suggested.push_back(each.part_template);
+  }
+  Chairs chairs;
+  store_suggestions(chairs.project, suggested, other);
+  REQUIRE(learning_start(chairs.project) != std::vector{*expected});
+  CHECK(chairs.choose() == expected);
+  CHECK(learning_start(chairs.project) == std::vector{*expected});
 }
 
 TEST_CASE("what another program left as the state of the choice is not gone on from") {

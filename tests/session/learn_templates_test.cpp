@@ -143,6 +143,9 @@ TEST_CASE("a learning can be gone on with while its options, seed, shapes and co
   CHECK(can_go_on(chairs.project, {}, options, 1));
   CHECK_FALSE(can_go_on(chairs.project, {}, {}, 1));
   CHECK_FALSE(can_go_on(chairs.project, {}, options, 2));
+  LearnOptions none = options;
+  none.iterations = 0;
+  CHECK_FALSE(can_go_on(chairs.project, {}, none, 1));  // there is a round already
   const ShapeId first = chairs.project.shape_ids().front();
   ShapeCorrection turned;
   turned.yaw_quarters = 1;

@@ -271,6 +271,46 @@ TEST_CASE("What learning begins with is said before and when it starts") {
   }
 }
 
+TEST_CASE("A learning that goes on and is stopped at once leaves what it had, whatever was fitted since") {
+  TestWindow window;
+  write_chairs(window.scratch().path() / "chairs", 12);
+  const std::filesystem::path path = window.scratch().path() / "one-round.archetype";
+  PartTemplate start = chair_template();
+  for (TemplatePart& part : start.parts) part.scale.mean *= 1.3;
+  {
+    Project project = Project::create(path);
+    ImportOptions few_points;
+    few_points.points = 150;
+    import_shapes(project, {window.scratch().path() / "chairs" / "shapes"}, few_points, {});
+    LearnOptions once;
+    once.iterations = 1;
+    learn_templates(project, {start}, {}, once, learning_seed, false, 1, {});
+    REQUIRE_FALSE(is_over(learning_record(project).value(), {}));
+  }
+  open_project(window.studio(), path);
+  window.settle();
+  Studio& studio = window.studio();
+  const std::shared_ptr<const PartTemplate> learned = studio.history.committed().templates.at(0);
+  add_template(studio.history, chair_template(), "Add another");
+  REQUIRE(run_command(studio, "fit-all"));
+  window.settle();
+  REQUIRE(studio.collection.content.templates.size() == 1);
+  REQUIRE(studio.collection.content.templates[0] != *learned);
+  select_template(studio.history, 0);
+  REQUIRE(learning_goes_on(studio));
+  REQUIRE(run_command(studio, "learn"));
+  select_template(studio.history, 1);  // while it runs
+  REQUIRE(run_command(studio, "cancel-jobs"));
+  window.settle();
+  const Document& after = studio.history.committed();
+  REQUIRE(after.templates.size() == 2);
+  CHECK(*after.templates[0] == *learned);
+  CHECK(after.templates[1]->name != learned->name);
+  CHECK(studio.messages.list().back().text == "Learning stopped after 1 round; learn again to go on");
+  select_template(studio.history, 0);
+  CHECK(learning_goes_on(studio));
+}
+
 TEST_CASE("What was learned comes back by learning again after undo, without a round") {
   LearnedWindow window;
   Studio& studio = window.studio();
