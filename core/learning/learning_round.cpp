@@ -59,8 +59,8 @@ std::optional<LearningRound> RoundInProgress::run() {
     if (!result_.origins[t].changed && !try_split(t)) return std::nullopt;
   }
   if (!try_merges()) return std::nullopt;
-  drop_unused();
   result_.energy = mean_energy();
+  drop_unused();
   for (std::size_t i = 0; i < judging_; ++i) {
     result_.taken.push_back(taken_[i].part_template);
     result_.misfit += taken_[i].seen.misfit / static_cast<double>(judging_);
@@ -176,7 +176,15 @@ double RoundInProgress::mean_energy() const {
   for (std::size_t t = 0; t < members.size(); ++t)
     sum += parameter_cost(result_.templates[t].part_template, result_.templates[t].initial, members[t],
                           fit_options_, options_);
+  std::vector<std::size_t> all(result_.templates.size(), 0);
+  for (const Taken& each : taken_) ++all[each.part_template];
+  for (std::size_t t = 0; t < all.size(); ++t) sum += members[t] == 0 ? 0 : price(all[t]);
   return sum / static_cast<double>(judging_);
+}
+
+double RoundInProgress::price(std::size_t members) const {
+  const double of_sure = options_.least_division_gain * static_cast<double>(judging_);
+  return members < options_.smallest_sure_cluster ? 2 * of_sure : of_sure;
 }
 
 std::vector<std::vector<PartObservation>> RoundInProgress::learning_set(std::size_t t) const {

@@ -41,15 +41,16 @@ struct LearningRound {
 // are where that gains (split_template.h). `judging` decides what is kept: a re-estimated template if the
 // share options.agreeing_share of the shapes that take it fit better, several together if their energy falls,
 // a division if the share options.divided_share fits better and if it lowers the energy by more than its
-// parameters cost. Where nothing else changes, two become one if that lowers the energy (merge_templates.h).
-// `others` are only learned from. The yaws of the judging shapes are decided together (agreed_yaws.h).
-// Templates that no judging shape takes are dropped, except those that shapes are pinned to. Nothing if
-// cancelled. Throws PreconditionError without templates, NumericError where a shape has no finite energy with
-// any. Progress counts the fits of the round, with those ahead as far as it can be told. Deterministic
-// whatever the number of threads; about 2 fits per template and judging shape and one per other shape, one
-// more per judging shape for a template without siblings, 2 to 8 more per template and shape for those that
-// have some, and those of the divisions, some 90 and 5 for each part per shape. Differs from the paper, which
-// keeps every round's templates: so learning can leave a collection worse.
+// parameters cost. Where nothing else changes, two become one if that lowers the energy, in which each
+// template costs what a division has to gain (merge_templates.h). `others` are only learned from. The yaws of
+// the judging shapes are decided together (agreed_yaws.h). Templates that no judging shape takes are dropped,
+// except those that shapes are pinned to. Nothing if cancelled. Throws PreconditionError without templates,
+// NumericError where a shape has no finite energy with any. Progress counts the fits of the round, with those
+// ahead as far as it can be told. Deterministic whatever the number of threads; about 2 fits per template and
+// judging shape and one per other shape, one more per judging shape for a template without siblings, 2 to 8
+// more per template and shape for those that have some, and those of the divisions, some 90 and 5 for each
+// part per shape. Differs from the paper, which keeps every round's templates: so learning can leave a
+// collection worse.
 //
 // corrections: what was corrected by hand, one per shape with the judging ones first, null where nothing was;
 // or none at all. Pinned yaws, templates and labels hold in all fits, and pinned yaws count when yaws are

@@ -73,7 +73,9 @@ bool RoundInProgress::try_merge(std::size_t a, std::size_t b) {
   if (!merge_templates(result_.templates[a], result_.templates[b], members, sides, fit_options_, options_,
                        threads_, counted_, merge))
     return false;
-  if (!merge || merge->gain <= smallest_gain * static_cast<double>(members.judging)) return true;
+  const auto of_b = static_cast<std::size_t>(std::ranges::count(sides, std::size_t{1}));
+  const double saved = price(sides.size() - of_b) + price(of_b) - price(sides.size());
+  if (!merge || merge->gain + saved <= smallest_gain * static_cast<double>(members.judging)) return true;
   result_.templates[a].part_template = std::move(merge->part_template);
   // It would only be divided again as it was.
   const auto judges = std::span(indices).first(members.judging);

@@ -68,8 +68,11 @@ class RoundInProgress {
   // The best of all templates for each of the first `count` shapes. Throws NumericError where a shape has no
   // finite energy with any.
   bool take_best(std::size_t count);
-  // Of the judging shapes, with what the parameters of the templates cost.
+  // Of the judging shapes, with what the templates and their parameters cost.
   double mean_energy() const;
+  // What a template that so many shapes take has to be worth, in energy of all judging shapes: what a
+  // division has to gain (split_template.h).
+  double price(std::size_t members) const;
   // The observations of the shapes that template `t` is learned from, the best fits first: those that fit
   // well, and those that it was said to learn from.
   std::vector<std::vector<PartObservation>> learning_set(std::size_t t) const;
@@ -103,7 +106,9 @@ class RoundInProgress {
   // One or two more templates for some of the shapes that take `t`. Differs from the paper, which looks for
   // it in the learning set: benches fit a chair badly, and that is what makes them a cluster.
   bool try_split(std::size_t t);
-  // Whether two should be one: each pair, once nothing else changes.
+  // Whether two should be one: each pair, once nothing else changes. They become one where that costs less
+  // than both are worth: shapes that choose anew may leave three of a kind with a template, which would not
+  // have been divided for these.
   bool try_merges();
   // Of two that did not change yet.
   bool try_merge(std::size_t a, std::size_t b);

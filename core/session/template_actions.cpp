@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include "core/base/error.h"
@@ -52,8 +51,8 @@ void take_learned(History& history, std::vector<PartTemplate> learned, std::span
   if (learned.empty()) throw PreconditionError("nothing was learned");
   Document document = history.committed();
   auto& templates = document.templates;
-  for (const std::size_t each : std::views::reverse(replaced))
-    templates.erase(templates.begin() + static_cast<std::ptrdiff_t>(each));
+  for (auto each = replaced.rbegin(); each != replaced.rend(); ++each)
+    templates.erase(templates.begin() + static_cast<std::ptrdiff_t>(*each));
   document.active = replaced.empty() ? templates.size() : replaced.front();
   for (std::size_t i = 0; i < learned.size(); ++i) {
     learned[i].name = unique_template_name(document, learned[i].name, templates.size());

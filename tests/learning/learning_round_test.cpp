@@ -184,6 +184,13 @@ TEST_CASE(
   CHECK(templates[0].part_template.name == given.first.part_template.name);
   CHECK(templates[1].part_template.name == "second");
 
+  // They become one where two would have to gain more.
+  LearnOptions dear = options;
+  dear.least_division_gain = 10;
+  round = *learning_round(templates, given.shapes, {}, {}, dear, 2, {});
+  CHECK(round.templates.size() == 1);
+  CHECK(round.energy < round.energy_before - 9);
+
   // But a bench that is pinned to the chairs stays with them.
   ShapeCorrection pinned;
   pinned.part_template = "second";
