@@ -21,7 +21,7 @@ inline constexpr std::string_view start_state_setting = "learn.start";
 // cancelled. Throws PreconditionError without shapes.
 //
 // Differs from the paper, which learns from each of ten to the end and keeps the one with the best average
-// energy over the whole collection: that would take five times as long, and what a start gains after its
+// energy over the whole collection: that would take several times as long, and what a start gains after its
 // first rounds is little beside what parts the starts.
 std::optional<PartTemplate> automatic_start(Project& project, const FitOptions& fit_options,
                                             const LearnOptions& options, std::uint64_t seed, bool fresh,
