@@ -69,8 +69,7 @@ std::optional<std::vector<std::size_t>> places_of(const std::vector<PartTemplate
 std::vector<PartTemplate> newest_of(const LearningRecord& record) {
   std::vector<PartTemplate> newest;
   if (record.steps.empty()) return newest;
-  for (const TemplateId id : record.steps.back().templates)
-    newest.push_back(std::ranges::lower_bound(record.templates, id, {}, &TemplateRecord::id)->part_template);
+  for (const TemplateId id : record.steps.back().templates) newest.push_back(*find_learned(record, id));
   return newest;
 }
 

@@ -59,12 +59,12 @@ void find_ends(const FlowColumn& before, FlowColumn& column) {
   }
 }
 
+}  // namespace
+
 const PartTemplate* find_learned(const LearningRecord& record, TemplateId id) {
   const auto found = std::ranges::lower_bound(record.templates, id, {}, &TemplateRecord::id);
   return &found->part_template;
 }
-
-}  // namespace
 
 std::vector<FlowColumn> learning_flow(const LearningRecord& record) {
   std::vector<FlowColumn> columns{start_column(record)};

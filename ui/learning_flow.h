@@ -42,6 +42,9 @@ struct FlowColumn {
   std::size_t moved = 0;  // shapes
 };
 
+// One of the templates of its rounds. Points into the record.
+const PartTemplate* find_learned(const LearningRecord& record, TemplateId id);
+
 // One column more than there are whole rounds. Which shapes took which template at the start is not stored:
 // they count to that which theirs after the first round comes from. Points into the record.
 std::vector<FlowColumn> learning_flow(const LearningRecord& record);
